@@ -95,11 +95,14 @@ Fall fall_of_whole(const BodyModel& body, const BodyState& state, double dt_s,
   return fall_of(body, state, any_supported, gravity_m_s2, dt_s);
 }
 
-/// How far any centre is beyond a wall (metres).
-double farthest_beyond_m(const Enclosure& enclosure, int wall, std::span<const BodyState> states) {
+/// How far any centre is beyond a wall (metres), but of parts that pass through.
+double farthest_beyond_m(const Enclosure& enclosure, int wall, std::span<const BodyModel> parts,
+                         std::span<const BodyState> states) {
   double beyond_m = 0.0;
-  for (const BodyState& state : states) {
-    beyond_m = std::max(beyond_m, centre_beyond_m(enclosure, wall, state.pose.position));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].passes_through) {
+      beyond_m = std::max(beyond_m, centre_beyond_m(enclosure, wall, states[i].pose.position));
+    }
   }
   return beyond_m;
 }
@@ -109,9 +112,9 @@ void move_paid_for(const Vector3& way_m, const Vector3& gravity_m_s2,
                    std::span<const BodyModel> parts, std::span<BodyState> states) {
   const double cost_J = mass_of(parts) * std::max(0.0, -gravity_m_s2.dot(way_m));
   const double kinetic_J = kinetic_energy(parts, states);
-  const double share = cost_J > kinetic_J ? kinetic_J / cost_J : 1.0;
-  const double slower =
-      cost_J > 0.0 ? std::sqrt(std::max(0.0, 1.0 - share * cost_J / kinetic_J)) : 1.0;
+  const double paid_J = std::min(cost_J, kinetic_J);
+  const double share = cost_J > 0.0 ? paid_J / cost_J : 1.0;
+  const double slower = paid_J > 0.0 ? std::sqrt(1.0 - paid_J / kinetic_J) : 1.0;
   for (BodyState& state : states) {
     state.pose.position += share * way_m;
     state.linear_momentum *= slower;
@@ -211,7 +214,7 @@ void move_back_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
   for (int round = 0; moved && round < kMostRounds; ++round) {
     moved = false;
     for (int wall = 0; wall < kWallCount; ++wall) {
-      const double beyond_m = farthest_beyond_m(enclosure, wall, states);
+      const double beyond_m = farthest_beyond_m(enclosure, wall, parts, states);
       if (beyond_m > 0.0) {
         move_paid_for(beyond_m * inward_normal(enclosure, wall), gravity_m_s2, parts, states);
         moved = true;

@@ -10,7 +10,7 @@
 namespace impetus::inline figures {
 namespace {
 
-/// Of the beginning impulses, at most; and those that are made whatever work is granted.
+/// Of the beginning impulses, at most; and those that are granted with each part of a step.
 constexpr int kMostIterations = 24;
 constexpr int kLeastIterations = 2;
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/dynamics/centres_at_walls.hpp"
 #include "engine/numerics/random_stream.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/trees/builders/octree.hpp"
@@ -96,7 +97,7 @@ inline BodyState moving(const BodyModel& model, const Vector3& position,
 inline double beyond_walls_m(const Enclosure& enclosure, const Vector3& place) {
   double farthest_m = -std::numeric_limits<double>::infinity();
   for (int wall = 0; wall < kWallCount; ++wall) {
-    farthest_m = std::max(farthest_m, reach_beyond(enclosure, wall, Sphere{place, 0.0}));
+    farthest_m = std::max(farthest_m, centre_beyond_m(enclosure, wall, place));
   }
   return farthest_m;
 }
