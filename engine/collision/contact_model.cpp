@@ -198,7 +198,11 @@ void ContactModelling::add_wall_contacts(std::int32_t body, const PairRefinement
                                          const ContactModel& model, std::vector<Contact>& contacts,
                                          std::vector<Contact>* watched) {
   const bool weighs = reduction_of(model).weighs();
+  const Sphere all{a.tree.pose().position, a.tree.reach_m()};
   for (int wall = 0; wall < kWallCount; ++wall) {
+    if (reach_beyond(walls, wall, all) < 0.0) {
+      continue;
+    }
     const Vector3 normal = inward_normal(walls, wall);
     const std::size_t of_walls_before = contacts.size();
     begin({body, wall_index(wall)}, model, normal, watched);

@@ -23,8 +23,11 @@ double ContactPatches::Patch::half_length_m(const Vector3& direction) const {
 bool ContactPatches::Patch::is_near(const Patch& other) const {
   const Vector3 between = mean_point() - other.mean_point();
   const double apart_m = between.norm();
-  const Vector3 along = apart_m > 0.0 ? Vector3(between / apart_m) : Vector3::Zero();
   const double neighbours_m = 2.0 * std::max(node_m, other.node_m);
+  if (apart_m <= neighbours_m) {
+    return true;
+  }
+  const Vector3 along = between / apart_m;
   return apart_m <= half_length_m(along) + other.half_length_m(along) + neighbours_m;
 }
 
