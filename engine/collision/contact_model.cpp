@@ -11,48 +11,53 @@ Vector3 outward_in_world(const PlacedTree& tree, const NodeSurface& surface) {
   return tree.pose().orientation * surface.density_normal.cast<double>();
 }
 
-void weigh(NodeContact& contact, const NodePair& nodes, const MovingTree& a, const MovingTree& b) {
-  const TouchPoint& touch = contact.touch;
-  const NodeSurface& of_a = a.tree.tree().surface(nodes.a);
-  const NodeSurface& of_b = b.tree.tree().surface(nodes.b);
-  const Volume node_a = a.tree.world_volume(nodes.a);
-  const Volume node_b = b.tree.world_volume(nodes.b);
-  const Vector3 moving = a.motion.velocity_at(touch.point) - b.motion.velocity_at(touch.point);
-  const double reach_m =
-      0.5 * (width_along(node_a, touch.normal) + width_along(node_b, touch.normal));
-  contact.approach_m_s = -touch.normal.dot(moving);
-  contact.since_entry_s =
-      time_since_entry_s(reach_m, touch.depth_m, contact.approach_m_s, moving.norm());
-  contact.node_m = std::min(bounding_sphere(node_a).radius_m, bounding_sphere(node_b).radius_m);
-  contact.interpenetration = interpenetration(node_a, node_b, touch);
-  contact.occupancy_a = static_cast<double>(of_a.occupancy);
-  contact.occupancy_b = static_cast<double>(of_b.occupancy);
-  contact.group_a = of_a.group;
-  contact.group_b = of_b.group;
-  contact.outward_a = outward_in_world(a.tree, of_a);
-  contact.outward_b = outward_in_world(b.tree, of_b);
-}
+/// Two nodes of any kind.
+struct TwoVolumes {
+  Volume a;
+  Volume b;
 
-/// The same of spheres, of which nothing is found that is not asked for.
-void weigh_spheres(NodeContact& contact, unsigned terms, const NodePair& nodes, double radius_a_m,
-                   double radius_b_m, const MovingTree& a, const MovingTree& b) {
+  [[nodiscard]] double reach_m(const Vector3& normal) const {
+    return 0.5 * (width_along(a, normal) + width_along(b, normal));
+  }
+  [[nodiscard]] double smaller_m() const {
+    return std::min(bounding_sphere(a).radius_m, bounding_sphere(b).radius_m);
+  }
+  [[nodiscard]] double depth_share(const TouchPoint& touch) const {
+    return interpenetration(a, b, touch);
+  }
+};
+
+struct TwoSpheres {
+  double radius_a_m;
+  double radius_b_m;
+
+  [[nodiscard]] double reach_m(const Vector3& /*normal*/) const { return radius_a_m + radius_b_m; }
+  [[nodiscard]] double smaller_m() const { return std::min(radius_a_m, radius_b_m); }
+  [[nodiscard]] double depth_share(const TouchPoint& touch) const {
+    return interpenetration(Sphere{{}, radius_a_m}, Sphere{{}, radius_b_m}, touch);
+  }
+};
+
+/// Finds what is asked for of a contact of two nodes.
+template <typename TwoNodes>
+void weigh(NodeContact& contact, unsigned terms, const NodePair& nodes, const TwoNodes& two,
+           const MovingTree& a, const MovingTree& b) {
   const TouchPoint& touch = contact.touch;
   const NodeSurface& of_a = a.tree.tree().surface(nodes.a);
   const NodeSurface& of_b = b.tree.tree().surface(nodes.b);
   if ((terms & kEntryTerm) != 0) {
     const Vector3 moving = a.motion.velocity_at(touch.point) - b.motion.velocity_at(touch.point);
     contact.approach_m_s = -touch.normal.dot(moving);
-    contact.since_entry_s = time_since_entry_s(radius_a_m + radius_b_m, touch.depth_m,
+    contact.since_entry_s = time_since_entry_s(two.reach_m(touch.normal), touch.depth_m,
                                                contact.approach_m_s, moving.norm());
   }
   if ((terms & kGroupTerm) != 0) {
-    contact.node_m = std::min(radius_a_m, radius_b_m);
+    contact.node_m = two.smaller_m();
     contact.group_a = of_a.group;
     contact.group_b = of_b.group;
   }
   if ((terms & kChanceTerm) != 0) {
-    contact.interpenetration =
-        interpenetration(Sphere{{}, radius_a_m}, Sphere{{}, radius_b_m}, touch);
+    contact.interpenetration = two.depth_share(touch);
     contact.occupancy_a = static_cast<double>(of_a.occupancy);
     contact.occupancy_b = static_cast<double>(of_b.occupancy);
   }
@@ -62,21 +67,27 @@ void weigh_spheres(NodeContact& contact, unsigned terms, const NodePair& nodes, 
   }
 }
 
-/// A wall is solid, and faces inwards everywhere.
-void weigh_at_wall(NodeContact& contact, std::int32_t node, const MovingTree& a) {
+/// The same of a node and a wall, which is solid and faces inwards everywhere.
+void weigh_at_wall(NodeContact& contact, unsigned terms, std::int32_t node, const MovingTree& a) {
   const TouchPoint& touch = contact.touch;
   const NodeSurface& surface = a.tree.tree().surface(node);
-  contact.approach_m_s = -touch.normal.dot(a.motion.velocity_at(touch.point));
-  if (contact.approach_m_s > 0.0) {
-    contact.since_entry_s = touch.depth_m / contact.approach_m_s;
-  }
   const Volume volume = a.tree.world_volume(node);
-  contact.node_m = bounding_sphere(volume).radius_m;
-  contact.interpenetration = wall_interpenetration(volume, touch);
-  contact.occupancy_a = static_cast<double>(surface.occupancy);
-  contact.group_a = surface.group;
-  contact.outward_a = -touch.normal;
-  contact.outward_b = touch.normal;
+  if ((terms & kEntryTerm) != 0) {
+    contact.approach_m_s = -touch.normal.dot(a.motion.velocity_at(touch.point));
+    contact.since_entry_s = contact.approach_m_s > 0.0 ? touch.depth_m / contact.approach_m_s : 0.0;
+  }
+  if ((terms & kGroupTerm) != 0) {
+    contact.node_m = bounding_sphere(volume).radius_m;
+    contact.group_a = surface.group;
+  }
+  if ((terms & kChanceTerm) != 0) {
+    contact.interpenetration = wall_interpenetration(volume, touch);
+    contact.occupancy_a = static_cast<double>(surface.occupancy);
+  }
+  if ((terms & kOutwardTerm) != 0) {
+    contact.outward_a = -touch.normal;
+    contact.outward_b = touch.normal;
+  }
 }
 
 }  // namespace
@@ -133,7 +144,7 @@ void ContactModelling::add_contacts_of_spheres(const PairRefinement& pair, const
     }
     for (int lane = 0; terms != 0 && lane < lanes; ++lane) {
       contact.touch = touches[lane];
-      weigh_spheres(contact, terms, nodes[lane], spheres.a[3][lane], spheres.b[3][lane], a, b);
+      weigh(contact, terms, nodes[lane], TwoSpheres{spheres.a[3][lane], spheres.b[3][lane]}, a, b);
       add(contact);
     }
     lanes = 0;
@@ -175,16 +186,17 @@ void ContactModelling::add_pair_contacts(BodyPair bodies, const PairRefinement& 
     return;
   }
   const Vector3 fallback = fallbacks.first_usable();
-  const bool weighs = reduction_of(model).weighs();
+  const unsigned terms = reduction_of(model).terms();
   begin(bodies, model, fallback, watched);
   if (pair.of_spheres()) {
-    add_contacts_of_spheres(pair, a, b, fallback, reduction_of(model).terms());
+    add_contacts_of_spheres(pair, a, b, fallback, terms);
   } else {
     for (const NodePair& nodes : pair.overlapping()) {
       NodeContact contact;
       contact.touch = touch_of_nodes(a.tree, nodes.a, b.tree, nodes.b, fallback);
-      if (weighs) {
-        weigh(contact, nodes, a, b);
+      if (terms != 0) {
+        const TwoVolumes two{a.tree.world_volume(nodes.a), b.tree.world_volume(nodes.b)};
+        weigh(contact, terms, nodes, two, a, b);
       }
       add(contact);
     }
@@ -197,7 +209,7 @@ void ContactModelling::add_wall_contacts(std::int32_t body, const PairRefinement
                                          const MovingTree& a, const Enclosure& walls,
                                          const ContactModel& model, std::vector<Contact>& contacts,
                                          std::vector<Contact>* watched) {
-  const bool weighs = reduction_of(model).weighs();
+  const unsigned terms = reduction_of(model).terms();
   const Sphere all{a.tree.pose().position, a.tree.reach_m()};
   for (int wall = 0; wall < kWallCount; ++wall) {
     if (reach_beyond(walls, wall, all) < 0.0) {
@@ -210,8 +222,8 @@ void ContactModelling::add_wall_contacts(std::int32_t body, const PairRefinement
       NodeContact contact;
       contact.touch = touch_of_wall(a.tree, nodes.a, walls, wall);
       if (contact.touch.depth_m >= 0.0) {
-        if (weighs) {
-          weigh_at_wall(contact, nodes.a, a);
+        if (terms != 0) {
+          weigh_at_wall(contact, terms, nodes.a, a);
         }
         add(contact);
       }

@@ -17,7 +17,7 @@ namespace {
 /// Sums of the reduction `none`.
 class EveryContact final : public ContactSums {
  public:
-  static constexpr bool kWeighs = false;
+  static constexpr unsigned kTerms = 0;
 
   void begin(const Vector3& /*fallback*/) override { contacts_.clear(); }
   void add(const NodeContact& contact) override { contacts_.push_back(contact.touch); }
@@ -77,7 +77,7 @@ class FirstContact final : public ContactSums {
 class MeanContact final : public ContactSums {
  public:
   static constexpr std::int64_t kMost = 1;
-  static constexpr bool kWeighs = false;
+  static constexpr unsigned kTerms = 0;
 
   void begin(const Vector3& fallback) override {
     *this = MeanContact();

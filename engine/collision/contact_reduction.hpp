@@ -67,9 +67,8 @@ class ContactSums {
  public:
   /// The most contacts that it leaves; a reduction that knows a bound states its own.
   static constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
-  /// Whether it looks at more of a node contact than where it touches; the rest costs time.
-  static constexpr bool kWeighs = true;
-  /// What it looks at if so; the others may be as a NodeContact begins.
+  /// What it looks at of a node contact beside where it touches; the others cost no time, and may
+  /// be as a NodeContact begins.
   static constexpr unsigned kTerms = kAllTerms;
 
   virtual ~ContactSums() = default;
@@ -101,8 +100,7 @@ class ContactReduction {
 
   [[nodiscard]] virtual std::unique_ptr<ContactSums> make_sums() const = 0;
   [[nodiscard]] virtual std::int64_t most() const = 0;  ///< see ContactSums::kMost
-  [[nodiscard]] virtual bool weighs() const = 0;        ///< see ContactSums::kWeighs
-  [[nodiscard]] virtual unsigned terms() const { return weighs() ? kAllTerms : 0; }
+  [[nodiscard]] virtual unsigned terms() const = 0;     ///< see ContactSums::kTerms
 };
 
 /// The reduction by a class of sums.
@@ -113,8 +111,7 @@ class ReductionBy final : public ContactReduction {
     return std::make_unique<Sums>();
   }
   [[nodiscard]] std::int64_t most() const override { return Sums::kMost; }
-  [[nodiscard]] bool weighs() const override { return Sums::kWeighs; }
-  [[nodiscard]] unsigned terms() const override { return Sums::kWeighs ? Sums::kTerms : 0; }
+  [[nodiscard]] unsigned terms() const override { return Sums::kTerms; }
 };
 
 /// The reduction called `name`. Throws std::invalid_argument that lists the names there are.

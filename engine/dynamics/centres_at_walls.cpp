@@ -65,9 +65,12 @@ void keep_centre_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
 void turn_back_at_walls(const Enclosure& enclosure, double least_m, double restitution,
                         double resting_m_s, const BodyModel& model, BodyState& state) {
   for (int wall = 0; wall < kWallCount; ++wall) {
+    if (!(centre_beyond_m(enclosure, wall, state.pose.position) > least_m)) {
+      continue;
+    }
     const Vector3 outward = -inward_normal(enclosure, wall);
     const double outward_Ns = outward.dot(state.linear_momentum);
-    if (outward_Ns > 0.0 && centre_beyond_m(enclosure, wall, state.pose.position) > least_m) {
+    if (outward_Ns > 0.0) {
       const double given_back = outward_Ns * model.inverse_mass > resting_m_s ? restitution : 0.0;
       state.linear_momentum -= (1.0 + given_back) * outward_Ns * outward;
     }

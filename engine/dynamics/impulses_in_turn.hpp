@@ -276,15 +276,22 @@ void ImpulsesInTurn<Bodies>::rank_awake(std::span<const std::size_t> most_visibl
 }
 
 /// So that no body ends a step on its way through a wall that it touches: first as ever, then
-/// giving nothing back.
+/// giving nothing back, where a push woke them.
 template <typename Bodies>
 void ImpulsesInTurn<Bodies>::push_walls(const std::vector<double>& restitutions,
                                         const ResponseRules& rules, Bodies& bodies,
                                         std::vector<BodyState>& states,
                                         std::vector<double>& impulse_Ns) {
   constexpr int kPasses = 4;
+  const std::size_t end = bodies.contact_count();
+  for (std::size_t i = 0; i < end; ++i) {
+    if (bodies.contact(i).b == kNoPlace) {
+      wake(i);
+    }
+  }
   for (int pass = 0; pass < kPasses; ++pass) {
-    for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    for (std::size_t i = next_awake(0, end); i < end; i = next_awake(i + 1, end)) {
+      sleep(i);
       if (bodies.contact(i).b == kNoPlace) {
         impulse_Ns[i] += push_if_approaching(i, pass == 0 ? restitutions[i] : 0.0,
                                              rules.resting_m_s, bodies, states);

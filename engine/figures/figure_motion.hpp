@@ -1,9 +1,8 @@
 // Free motion of a figure: its parts fly as bodies do, and impulses at its hinges, at the beginning
 // of the step and at its end, keep them together.
 //
-//   impulses along the hinges as they stand, found by Newton's iteration with what the parts are
-//   half
-//     way, such that the parts, each moved freely, arrive with their anchors together
+//   impulses along the hinges as they stand, such that the parts, each moved freely, arrive with
+//     their anchors together: found by Newton's iteration, with what the parts are half way
 //   impulses at the end that leave nothing moving across a hinge
 //
 // (RATTLE: Andersen 1983.) All are opposite impulses at one point: momentum is kept to rounding.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -19,11 +20,15 @@ bool comes_first(const CollisionReport& x, const CollisionReport& y) {
 
 bool is_shallower(const Contact& x, const Contact& y) { return x.touch.depth_m < y.touch.depth_m; }
 
-MovingTree moving_tree(WorldState& world, std::int32_t body) {
-  const BodyModel& model = world.models[at(body)];
-  const BodyState& state = world.states[at(body)];
-  return {world.placed[at(body)],
-          {state.pose.position, velocity(model, state), angular_velocity(model, state)}};
+/// Its spin is found where the reduction goes by when nodes met.
+MovingTree moving_tree(const Step& step, std::int32_t body) {
+  const BodyModel& model = step.world.models[at(body)];
+  const BodyState& state = step.world.states[at(body)];
+  BodyMotion motion{state.pose.position, velocity(model, state)};
+  if ((reduction_of(step.settings.contacts).terms() & kEntryTerm) != 0) {
+    motion.spin = angular_velocity(model, state);
+  }
+  return {step.world.placed[at(body)], motion};
 }
 
 void add_contacts(const Step& step, const RefinedPair& pair) {
@@ -32,13 +37,13 @@ void add_contacts(const Step& step, const RefinedPair& pair) {
   StepMemory& memory = step.memory;
   std::vector<Contact>* watched =
       step.world.watches_node_contacts ? &memory.report.node_contacts : nullptr;
-  const MovingTree a = moving_tree(step.world, bodies.a);
+  const MovingTree a = moving_tree(step, bodies.a);
   if (is_wall(bodies.b)) {
     memory.modelling.add_wall_contacts(bodies.a, refinement, a, *step.settings.enclosure,
                                        step.settings.contacts, memory.modelled.contacts(), watched);
     return;
   }
-  const MovingTree b = moving_tree(step.world, bodies.b);
+  const MovingTree b = moving_tree(step, bodies.b);
   NormalFallbacks fallbacks{a.motion.centre_of_mass - b.motion.centre_of_mass,
                             b.motion.velocity - a.motion.velocity};
   if (const TouchingPair* before = step.world.touched_before(bodies)) {
@@ -175,8 +180,13 @@ void ModelledCollisions::add_contacts_as(const CollisionReport& like) {
 }
 
 void ModelledCollisions::report_in_order(StepReport& report) {
-  std::sort(collisions_.begin(), collisions_.end(), comes_first);
-  for (CollisionReport& each : collisions_) {
+  order_.resize(collisions_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::sort(order_.begin(), order_.end(), [&](std::size_t x, std::size_t y) {
+    return comes_first(collisions_[x], collisions_[y]);
+  });
+  for (const std::size_t place : order_) {
+    CollisionReport& each = collisions_[place];
     const auto first = contacts_.begin() + each.first_contact;
     const auto end = first + each.contact_count;
     each.contact = *std::max_element(first, end, is_shallower);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -31,28 +30,28 @@ void gather_contacts(const StepReport& report, std::vector<Contact>& contacts) {
   }
 }
 
+bool goes_before(const RankedCollision& x, const RankedCollision& y) {
+  if (x.list != y.list) {
+    return x.list < y.list;
+  }
+  return x.priority > y.priority || (x.priority == y.priority && x.place < y.place);
+}
+
 /// The contacts of the collisions, by list and by falling priority.
 std::span<const std::size_t> most_visible_first(const Step& step) {
   const std::vector<CollisionReport>& collisions = step.memory.report.collisions;
   const PriorityMetric& metric = metric_of(step.settings.schedule);
-  std::vector<std::size_t>& order = step.memory.collision_order;
-  order.resize(collisions.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto priority = [&](std::size_t i) {
-    return collisions[i].measured ? metric.priority(*collisions[i].measured) : 0.0;
-  };
-  std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-    if (collisions[x].list != collisions[y].list) {
-      return collisions[x].list < collisions[y].list;
-    }
-    const double of_x = priority(x);
-    const double of_y = priority(y);
-    return of_x > of_y || (of_x == of_y && x < y);
-  });
+  std::vector<RankedCollision>& order = step.memory.ranked_collisions;
+  order.clear();
+  for (const CollisionReport& collision : collisions) {
+    const double priority = collision.measured ? metric.priority(*collision.measured) : 0.0;
+    order.push_back({collision.list, priority, order.size()});
+  }
+  std::sort(order.begin(), order.end(), goes_before);
   std::vector<std::size_t>& contacts = step.memory.by_visibility;
   contacts.clear();
-  for (const std::size_t collision : order) {
-    const auto [first, end] = contact_range(collisions[collision]);
+  for (const RankedCollision& each : order) {
+    const auto [first, end] = contact_range(collisions[each.place]);
     for (std::size_t contact = first; contact < end; ++contact) {
       contacts.push_back(contact);
     }

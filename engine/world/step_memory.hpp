@@ -133,8 +133,16 @@ class ModelledCollisions {
 
  private:
   std::vector<CollisionReport> collisions_;
+  std::vector<std::size_t> order_;  ///< memory for their places, by their bodies
   std::vector<Contact> contacts_;
   std::size_t taken_{0};  ///< contacts that are of a collision
+};
+
+/// A reported collision, by how much it is seen.
+struct RankedCollision {
+  int list;
+  double priority;
+  std::size_t place;
 };
 
 /// How deep the bounds of a pair reach into each other, where not all can be looked at.
@@ -178,7 +186,7 @@ struct StepMemory {
   ContactModelling modelling;
   ModelledCollisions modelled;
   // respond
-  std::vector<std::size_t> collision_order;  ///< the most visible first; when asked for
+  std::vector<RankedCollision> ranked_collisions;  ///< the most visible first; when asked for
   std::vector<std::size_t> by_visibility;    ///< contacts likewise
   std::vector<Contact> contacts;             ///< that are responded to
   std::vector<double> restitutions;

@@ -12,7 +12,7 @@ namespace impetus {
 class DeepestContact final : public ContactSums {
  public:
   static constexpr std::int64_t kMost = 1;
-  static constexpr bool kWeighs = false;  // looks at nothing but where nodes touch
+  static constexpr unsigned kTerms = 0;  // looks at nothing but where nodes touch
 
   void begin(const Vector3& /*fallback*/) override { deepest_.clear(); }
 

@@ -211,7 +211,7 @@ class KeptContacts final : public ContactReduction {
     return std::make_unique<Sums>(*kept_);
   }
   [[nodiscard]] std::int64_t most() const override { return 1; }
-  [[nodiscard]] bool weighs() const override { return true; }
+  [[nodiscard]] unsigned terms() const override { return kAllTerms; }
 
  private:
   class Sums final : public ContactSums {
