@@ -149,7 +149,7 @@ class Rounds {
 
   void run(WorkMeter& meter, WorkDone& done) {
     PhaseWork tests(meter, WorkPhase::kTests, done.grants);
-    while (waiting_count_ > 0) {
+    while (waiting_count_ > 0 && something_fits(tests)) {
       const std::size_t list = shares_.next_list(waits_, done.by_list);
       const std::size_t rank = waiting_[list].next();
       const std::size_t index = order_[rank];
@@ -189,6 +189,23 @@ class Rounds {
     return true;
   }
 
+  /// Whether a pair waits whose next block fits into what is left of the tests once more of them
+  /// were refused: looked for when that has changed.
+  bool something_fits(const PhaseWork& tests) {
+    const std::int64_t left = tests.granted() - tests.done();
+    if (!tests.refused() || left == left_when_looked_) {
+      return true;
+    }
+    left_when_looked_ = left;
+    const auto fits = [&](std::size_t rank) {
+      const RefinedPair& pair = pairs_[order_[rank]];
+      return !pair.refinement.resolved() &&
+             costs_.of_tests(pair, pair.refinement.next_block()) <= left;
+    };
+    return std::any_of(waiting_.begin(), waiting_.end(),
+                       [&](const WaitingPairs& of_list) { return of_list.any(fits); });
+  }
+
   void enqueue(std::size_t rank) {
     const RefinedPair& pair = pairs_[order_[rank]];
     const auto list = static_cast<std::size_t>(pair.list);
@@ -213,6 +230,7 @@ class Rounds {
   std::array<WaitingPairs, kMostLists>& waiting_;
   std::array<bool, kMostLists> waits_{};
   std::size_t waiting_count_{0};
+  std::int64_t left_when_looked_{-1};
 };
 
 }  // namespace

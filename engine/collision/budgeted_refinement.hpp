@@ -12,6 +12,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,13 @@ class WaitingPairs {
   /// Precondition: !empty().
   [[nodiscard]] std::size_t next() const { return waiting_[first_].index; }
   void remove_next();
+
+  /// Whether `is_one` holds for the index of any.
+  template <typename IsOne>
+  [[nodiscard]] bool any(const IsOne& is_one) const {
+    return std::any_of(waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end(),
+                       [&](const Waiting& waiting) { return is_one(waiting.index); });
+  }
 
  private:
   /// A pair by its rank, and how urgent its next block of work is.

@@ -133,6 +133,10 @@ void DeadlineWork::learn_before(StepPart part, std::int64_t now_ns) {
   if (part == StepPart::kRefine && entry.refused) {
     left_entry_time_.learn(since(entry.looked_ns), static_cast<double>(pairs_));
   }
+  const Granting& tests = granting(WorkPhase::kTests);
+  if (part == StepPart::kModel && tests.refused) {
+    left_tests_time_.learn(since(tests.looked_ns), static_cast<double>(pairs_));
+  }
   const Granting& model = granting(WorkPhase::kModel);
   if (part == StepPart::kRespond) {
     const auto others = static_cast<double>(std::min(model.asked, model.granted));
@@ -283,8 +287,10 @@ std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total
   }
   const auto wanted_ns =
       static_cast<std::int64_t>(reserved_unit_time_.ns() * static_cast<double>(reserved));
-  return std::max(static_cast<std::int64_t>(walls_ns()),
-                  std::min(wanted_ns, end_ns_ - later_end_ns_));
+  const auto left_ns =
+      static_cast<std::int64_t>(left_tests_time_.ns() * static_cast<double>(pairs_));
+  return left_ns + std::max(static_cast<std::int64_t>(walls_ns()),
+                            std::min(wanted_ns, end_ns_ - later_end_ns_));
 }
 
 void DeadlineWork::grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns,
