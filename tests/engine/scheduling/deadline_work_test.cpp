@@ -271,6 +271,30 @@ TEST(DeadlineWork, TimeForWhatFiguresMoveInAnyCaseIsKeptFree) {
   EXPECT_LT(granted_ns, 200'000) << ".4 of what remains beside it";
 }
 
+TEST(DeadlineWork, TimeForWhatRefinementLeavesIsKeptFree) {
+  // Once tests are refused, the pairs that still wait take a third of the time.
+  constexpr std::int64_t kPairs = 100;
+  StandingClock clock;
+  DeadlineWork meter(clock, 1'000'000);
+  std::int64_t took_ns = 0;
+  for (int step = 0; step < 10; ++step) {
+    const std::int64_t began_ns = clock.now;
+    meter.start_step();
+    meter.begin(StepPart::kMove, 1);
+    meter.request(WorkPhase::kPairs, kPairs, 0);
+    meter.begin(StepPart::kRefine, kPairs);
+    for (std::int64_t total = 1; ask(meter, total) >= total; ++total) {
+      clock.now += 1'000;
+    }
+    clock.now += 300'000;
+    meter.begin(StepPart::kModel, 0);
+    meter.finish();
+    took_ns = clock.now - began_ns;
+  }
+  EXPECT_GT(took_ns, 900'000) << "the rest is used";
+  EXPECT_LT(took_ns, 1'000'000);
+}
+
 TEST(DeadlineWork, AStepUnderItReplaysWithWhatItGranted) {
   constexpr int kSteps = 240;
   constexpr int kDepth = 4;
