@@ -91,8 +91,14 @@ PairOnTheWay EntrySearches::on_the_way(std::size_t pair, int worker, std::int64_
   TreesOnTheWay& trees = memory_.on_the_way[at(worker)];
   trees.a.take_tree_of(placed_[at(a)]);
   trees.b.take_tree_of(placed_[at(b)]);
-  return {trees.a,   trees.b, memory_.ways[at(a)], memory_.ways[at(b)], step_.greatest_level,
-          most_tests};
+  return {trees.a,
+          trees.b,
+          memory_.ways[at(a)],
+          memory_.ways[at(b)],
+          step_.greatest_level,
+          most_tests,
+          /*work=*/nullptr,
+          step_.nearest_first};
 }
 
 std::optional<double> EntrySearches::look_at(std::size_t pair) {

@@ -138,7 +138,8 @@ void stop_fast_pairs(const Step& step) {
   const Stopping& stopping = stop_at_entry(
       {step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step), greatest_level,
        settings.costs, settings.rotation, kMostStops, memory.falls, settings.most_entry_tests,
-       &work, memory.workers.get(), step.walls_of_centres()},
+       &work, memory.workers.get(), step.walls_of_centres(),
+       /*nearest_first=*/!settings.has_rules_before(7)},
       world.states, world.placed, memory.entries);
   for (PairBounds& pair : memory.candidates) {
     pair.a.centre = world.states[at(pair.pair.a)].pose.position;

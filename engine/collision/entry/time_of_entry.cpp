@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/sphere_block.hpp"
@@ -68,8 +70,7 @@ class EntrySearch {
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
-      safe_ = stretch.end - time;
-      bound_all();
+      look_ahead(stretch.end - time);
       const double next = time + safe_;
       if (capped() || !(next > time)) {
         return time;
@@ -77,6 +78,22 @@ class EntrySearch {
       time = next;
     }
     return std::nullopt;
+  }
+
+  /// Finds for how long no finest nodes can touch, at most `most`. The nodes that came nearest in
+  /// the look before are asked first: few come nearer now, and the others are ruled out sooner.
+  void look_ahead(double most) {
+    safe_ = most;
+    if (pair_.nearest_first && nearest_ && !capped()) {
+      count(1);
+      safe_ = std::min(most, std::nextafter(time_of_last_nodes(*nearest_), kForever));
+    }
+    const double expected = safe_;
+    bound_all();
+    if (safe_ == expected && expected < most) {  // the nodes above them stay apart for longer
+      safe_ = most;
+      bound_all();
+    }
   }
 
   /// `time` and what takes the bodies by `more_m` further; none when little is left after it.
@@ -266,7 +283,7 @@ class EntrySearch {
       return;
     }
     if (last) {
-      safe_ = time;
+      lower_to(time, nodes);
       return;
     }
     bound_below();
@@ -313,13 +330,28 @@ class EntrySearch {
       if (near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
         continue;
       }
+      const NodePair nodes{block.first.a + row, block.first.b + column};
       double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
       if (time <= 0.0) {
-        const NodePair nodes{block.first.a + row, block.first.b + column};
         time = std::max(time, time_of_overlap(nodes, turning_m));
       }
-      safe_ = time >= safe_ ? safe_ : time;
+      if (!(time >= safe_)) {
+        lower_to(time, nodes);
+      }
     }
+  }
+
+  void lower_to(double time, const NodePair& nodes) {
+    safe_ = time;
+    nearest_ = nodes;
+  }
+
+  /// For how long two finest nodes cannot touch, whatever is known of those above them.
+  [[nodiscard]] double time_of_last_nodes(const NodePair& nodes) {
+    const double turning_m = turning_speed_m(bounding_sphere(pair_.a.world_volume(nodes.a)),
+                                             bounding_sphere(pair_.b.world_volume(nodes.b)));
+    const double time = time_apart(gap_of(nodes), turning_m);
+    return time > 0.0 ? time : std::max(time, time_of_overlap(nodes, turning_m));
   }
 
   /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
@@ -380,6 +412,7 @@ class EntrySearch {
   bool overlapped_at_start_{false};
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
+  std::optional<NodePair> nearest_;  ///< finest nodes, in the last look at all
   NearSpheres near_;
   std::int64_t tests_{0};
   bool refused_{false};
