@@ -136,11 +136,11 @@ class DeadlineWork final : public WorkMeter {
   std::int64_t most_modelled_{0};  ///< the same of units of modelling
   LearnedTime reserved_unit_time_{4.0};
   LearnedTime left_motion_time_{800.0};  ///< of a body, once the motion of figures was refused
-  LearnedTime left_entry_time_{300.0};     ///< of a pair, once the search for entries was refused
-  LearnedTime left_tests_time_{50.0};      ///< of a pair, once refinement was refused
-  LearnedTime sorting_time_{20.0};         ///< of what the sweep found, for each of its units
-  LearnedTime choosing_time_{50.0};        ///< of a pair found, where not all are looked at
-  LearnedTime ordering_time_{500.0};       ///< of a pair, between its root and the first test
+  LearnedTime left_entry_time_{300.0};   ///< of a pair, once the search for entries was refused
+  LearnedTime left_tests_time_{50.0};    ///< of a pair, once refinement was refused
+  LearnedTime sorting_time_{20.0};       ///< of what the sweep found, for each of its units
+  LearnedTime choosing_time_{50.0};      ///< of a pair found, where not all are looked at
+  LearnedTime ordering_time_{500.0};     ///< of a pair, between its root and the first test
 };
 
 }  // namespace impetus::inline scheduling

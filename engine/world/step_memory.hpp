@@ -187,8 +187,8 @@ struct StepMemory {
   ModelledCollisions modelled;
   // respond
   std::vector<RankedCollision> ranked_collisions;  ///< the most visible first; when asked for
-  std::vector<std::size_t> by_visibility;    ///< contacts likewise
-  std::vector<Contact> contacts;             ///< that are responded to
+  std::vector<std::size_t> by_visibility;          ///< contacts likewise
+  std::vector<Contact> contacts;                   ///< that are responded to
   std::vector<double> restitutions;
   Responder responder;
   // remember
