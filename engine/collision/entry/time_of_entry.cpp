@@ -81,7 +81,8 @@ class EntrySearch {
   }
 
   /// Finds for how long no finest nodes can touch, at most `most`. The nodes that came nearest in
-  /// the look before are asked first: few come nearer now, and the others are ruled out sooner.
+  /// the look before are asked first, and of siblings the nearest: few come nearer, and the others
+  /// are ruled out sooner.
   void look_ahead(double most) {
     safe_ = most;
     if (pair_.nearest_first && nearest_ && !capped()) {
@@ -298,22 +299,43 @@ class EntrySearch {
       return;
     }
     BlockTurning turning;
-    const std::uint64_t near = near_.within(safe_, hair_m_, block, turning);
+    std::uint64_t near = near_.within(safe_, hair_m_, block, turning);
     if (level >= pair_.greatest_level && tests_ + block.rows * block.columns < pair_.most_tests) {
       bound_last_block(block, near, turning, at_least);
       return;
     }
+    const auto go_on = [&](int row, int column) {
+      const Sphere a = sphere_of(block.a, row);
+      const Sphere b = sphere_of(block.b, column);
+      const double turning_m = turning.a[lane(row)] + turning.b[lane(column)];
+      if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
+        bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
+                      at_least);
+      }
+    };
+    if (pair_.nearest_first && near != 0) {
+      const int nearest = nearest_of(block, near);
+      go_on(nearest / kLanes, nearest % kLanes);
+      near &= ~(std::uint64_t{1} << nearest);
+    }
     for_each_set(
-        block, near, [] { return false; },
-        [&](int row, int column) {
-          const Sphere a = sphere_of(block.a, row);
-          const Sphere b = sphere_of(block.b, column);
-          const double turning_m = turning.a[lane(row)] + turning.b[lane(column)];
-          if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
-            bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
-                          at_least);
-          }
-        });
+        block, near, [] { return false; }, go_on);
+  }
+
+  /// The bit of the pair with the least gap, of those that are set; the first of equals.
+  [[nodiscard]] static int nearest_of(const SphereBlock& block, std::uint64_t bits) {
+    int nearest = std::countr_zero(bits);
+    double least_m = kForever;
+    for (; bits != 0; bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const double gap_m =
+          gap_of_bounds(sphere_of(block.a, bit / kLanes), sphere_of(block.b, bit % kLanes)).gap_m;
+      if (gap_m < least_m) {
+        least_m = gap_m;
+        nearest = bit;
+      }
+    }
+    return nearest;
   }
 
   /// The same of finest nodes, of which nothing is counted that is left.

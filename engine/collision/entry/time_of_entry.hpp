@@ -47,8 +47,9 @@ struct PairOnTheWay {
   int greatest_level;
   std::int64_t most_tests{kMostEntryTests};  ///< at least 1
   PhaseWork* work{nullptr};  ///< asked for the tests, where work is metered; then it ends there too
-  /// Whether each look at all nodes begins with those that were nearest in the look before, so that
-  /// it takes fewer tests; not by the rules of recording formats below 7.
+  /// Whether each look at all nodes begins with those that were nearest in the look before, and
+  /// goes on with the nearest of siblings, so that it takes fewer tests; not by the rules of
+  /// recording formats below 7.
   bool nearest_first{true};
 };
 
