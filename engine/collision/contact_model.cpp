@@ -27,6 +27,7 @@ struct TwoVolumes {
   }
 };
 
+/// Two that are spheres, by their radii.
 struct TwoSpheres {
   double radius_a_m;
   double radius_b_m;
@@ -213,7 +214,7 @@ void ContactModelling::add_wall_contacts(std::int32_t body, const PairRefinement
   const Sphere all{a.tree.pose().position, a.tree.reach_m()};
   for (int wall = 0; wall < kWallCount; ++wall) {
     if (reach_beyond(walls, wall, all) < 0.0) {
-      continue;
+      continue;  // none of its nodes gets there
     }
     const Vector3 normal = inward_normal(walls, wall);
     const std::size_t of_walls_before = contacts.size();
