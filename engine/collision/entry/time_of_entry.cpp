@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "engine/collision/entry/counted_pairs.hpp"
 #include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/overlap_at_start.hpp"
 #include "engine/collision/sphere_block.hpp"
 
 namespace impetus::inline collision {
@@ -24,8 +26,8 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)
-      : pair_(pair),
-        of_spheres_(pair.a.of_spheres() && pair.b.of_spheres()),
+      : pairs_(pair),
+        pair_(pairs_.pair()),
         slow_m_(slow_way_m(pair.a.tree(), pair.b.tree(), pair.greatest_level)),
         hair_m_(kHairShare * slow_m_),
         stretches_(stretches_of(pair.path_a, pair.path_b)) {}
@@ -33,8 +35,8 @@ class EntrySearch {
   Entry run() {
     Entry entry;
     entry.time = first_time();
-    entry.tests = tests_;
-    entry.refused = refused_;
+    entry.tests = pairs_.tests();
+    entry.refused = pairs_.refused();
     return entry;
   }
 
@@ -44,21 +46,22 @@ class EntrySearch {
       return std::nullopt;
     }
     place(stretches_[0].begin);
-    measure_depth_of_all();
-    if (capped()) {
+    at_start_ = overlap_at_start(pairs_, slow_m_);
+    if (pairs_.capped()) {
       return unless_nearly_there(stretches_[0].begin, slow_m_);
     }
-    if (overlapped_at_start_) {
+    if (at_start_.any) {
       hair_m_ *= kDeeperShare;
     }
-    if (allowed_depth_m_ + hair_m_ > slow_m_) {
+    if (at_start_.depth_m + hair_m_ > slow_m_) {
       return std::nullopt;
     }
     for (const RelativeStretch& stretch : stretches_) {
       stretch_ = &stretch;
       const std::optional<double> time = first_time_in(stretch);
       if (time) {
-        return capped() ? unless_nearly_there(*time, slow_m_) : unless_nearly_there(*time, 0.0);
+        return pairs_.capped() ? unless_nearly_there(*time, slow_m_)
+                               : unless_nearly_there(*time, 0.0);
       }
     }
     return std::nullopt;
@@ -72,7 +75,7 @@ class EntrySearch {
       place(time);
       look_ahead(stretch.end - time);
       const double next = time + safe_;
-      if (capped() || !(next > time)) {
+      if (pairs_.capped() || !(next > time)) {
         return time;
       }
       time = next;
@@ -85,8 +88,8 @@ class EntrySearch {
   /// are ruled out sooner.
   void look_ahead(double most) {
     safe_ = most;
-    if (pair_.nearest_first && nearest_ && !capped()) {
-      count(1);
+    if (pair_.nearest_first && nearest_ && !pairs_.capped()) {
+      pairs_.count(1);
       safe_ = std::min(most, std::nextafter(time_of_last_nodes(*nearest_), kForever));
     }
     const double expected = safe_;
@@ -123,119 +126,18 @@ class EntrySearch {
 
   [[nodiscard]] double reach_a() const { return pair_.a.tree().bounding_radius_m(); }
   [[nodiscard]] double reach_b() const { return pair_.b.tree().bounding_radius_m(); }
-  [[nodiscard]] bool capped() const { return tests_ >= pair_.most_tests; }
-
-  [[nodiscard]] bool is_last(const NodePair& nodes, int level) const {
-    return level >= pair_.greatest_level || (pair_.a.tree().links(nodes.a).child_count == 0 &&
-                                             pair_.b.tree().links(nodes.b).child_count == 0);
-  }
-
-  /// Tests that were skipped because their outcome is known.
-  void count(std::int64_t tests) {
-    const std::int64_t counted = std::min(tests, pair_.most_tests - tests_);
-    if (pair_.work != nullptr && !pair_.work->spend(counted)) {
-      pair_.most_tests = tests_;
-      refused_ = true;
-      return;
-    }
-    tests_ += counted;
-  }
-
-  template <typename Visit>
-  void for_each_pair_below(const NodePair& nodes, const Visit& visit) const {
-    const NodeLinks of_a = one_level_deeper(pair_.a.tree(), nodes.a);
-    const NodeLinks of_b = one_level_deeper(pair_.b.tree(), nodes.b);
-    for (std::int32_t i = 0; i < of_a.child_count; ++i) {
-      for (std::int32_t j = 0; j < of_b.child_count; ++j) {
-        visit(NodePair{of_a.first_child + i, of_b.first_child + j});
-      }
-    }
-  }
-
-  /// Visits the pairs of a block whose bits are set, in order, and counts the tests of all up to
-  /// where the search ends or has `found_enough`.
-  template <typename FoundEnough, typename Visit>
-  void for_each_set(const SphereBlock& block, std::uint64_t bits, const FoundEnough& found_enough,
-                    const Visit& visit) {
-    int counted = 0;
-    for (; bits != 0 && !found_enough(); bits &= bits - 1) {
-      const int bit = std::countr_zero(bits);
-      const int row = bit / kLanes;
-      const int column = bit % kLanes;
-      const int place = row * block.columns + column;
-      count(place - counted);
-      if (capped()) {
-        return;
-      }
-      count(1);
-      counted = place + 1;
-      visit(row, column);
-    }
-    if (!found_enough()) {
-      count(block.rows * block.columns - counted);
-    }
-  }
-
-  /// Finds how deep the finest nodes overlap; deeper than the bodies are thick is deep enough.
-  void measure_depth_of_all() {
-    if (of_spheres_) {
-      place_roots();
-    }
-    if (capped()) {
-      return;
-    }
-    count(1);
-    if (nodes_overlap(pair_.a, 0, pair_.b, 0)) {
-      measure_depth(NodePair{0, 0}, 0);
-    }
-  }
-
-  [[nodiscard]] bool deep_enough() const { return allowed_depth_m_ > slow_m_; }
-
-  /// Of nodes that overlap.
-  void measure_depth(const NodePair& nodes, int level) {
-    if (is_last(nodes, level)) {
-      overlapped_at_start_ = true;
-      allowed_depth_m_ = std::max(allowed_depth_m_, -gap_of(nodes).gap_m);
-    } else if (of_spheres_) {
-      for_each_block_below(pair_.a, pair_.b, nodes,
-                           [&](const SphereBlock& block) { measure_depth(block, level + 1); });
-    } else {
-      for_each_pair_below(nodes, [&](const NodePair& below) {
-        if (!capped() && !deep_enough()) {
-          count(1);
-          if (nodes_overlap(pair_.a, below.a, pair_.b, below.b)) {
-            measure_depth(below, level + 1);
-          }
-        }
-      });
-    }
-  }
-
-  void measure_depth(const SphereBlock& block, int level) {
-    if (capped() || deep_enough()) {
-      return;
-    }
-    const std::uint64_t overlapping =
-        overlaps_of_block(block.a, block.rows, block.b, block.columns);
-    for_each_set(
-        block, overlapping, [&] { return deep_enough(); },
-        [&](int row, int column) {
-          measure_depth(NodePair{block.first.a + row, block.first.b + column}, level);
-        });
-  }
 
   /// Lowers safe_ to the time for which no finest nodes can touch.
   void bound_all() {
-    if (capped()) {
+    if (pairs_.capped()) {
       return;
     }
-    count(1);
-    if (!of_spheres_) {
+    pairs_.count(1);
+    if (!pairs_.of_spheres()) {
       bound({0, 0}, 0, 0.0);
       return;
     }
-    place_roots();
+    pairs_.place_roots();
     near_.place(pose_a_, pose_b_);
     const Sphere a = pair_.a.world_sphere(0);
     const Sphere b = pair_.b.world_sphere(0);
@@ -250,12 +152,12 @@ class EntrySearch {
     const double turning_m = turning_speed_m(bound_a, bound_b);
     double time = std::max(at_least, time_apart(gap_of_bounds(bound_a, bound_b), turning_m));
     if (time < safe_) {
-      time = std::max(time, time_apart(gap_of(nodes), turning_m));
+      time = std::max(time, time_apart(pairs_.gap_of(nodes), turning_m));
     }
     bound_by(nodes, level, time, turning_m, [&] {
-      for_each_pair_below(nodes, [&](const NodePair& below) {
-        if (!capped()) {
-          count(1);
+      pairs_.for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!pairs_.capped()) {
+          pairs_.count(1);
           bound(below, level + 1, time);
         }
       });
@@ -276,7 +178,7 @@ class EntrySearch {
   template <typename BoundBelow>
   void bound_by(const NodePair& nodes, int level, double time, double turning_m,
                 const BoundBelow& bound_below) {
-    const bool last = is_last(nodes, level);
+    const bool last = pairs_.is_last(nodes, level);
     if (last && time <= 0.0) {
       time = std::max(time, time_of_overlap(nodes, turning_m));
     }
@@ -291,16 +193,17 @@ class EntrySearch {
   }
 
   void bound_block(const SphereBlock& block, int level, double at_least) {
-    if (capped()) {
+    if (pairs_.capped()) {
       return;
     }
     if (at_least >= safe_) {
-      count(std::int64_t{block.rows} * block.columns);
+      pairs_.count(std::int64_t{block.rows} * block.columns);
       return;
     }
     BlockTurning turning;
     std::uint64_t near = near_.within(safe_, hair_m_, block, turning);
-    if (level >= pair_.greatest_level && tests_ + block.rows * block.columns < pair_.most_tests) {
+    if (level >= pair_.greatest_level &&
+        pairs_.tests() + block.rows * block.columns < pair_.most_tests) {
       bound_last_block(block, near, turning, at_least);
       return;
     }
@@ -318,7 +221,7 @@ class EntrySearch {
       go_on(nearest / kLanes, nearest % kLanes);
       near &= ~(std::uint64_t{1} << nearest);
     }
-    for_each_set(
+    pairs_.for_each_set(
         block, near, [] { return false; }, go_on);
   }
 
@@ -341,7 +244,7 @@ class EntrySearch {
   /// The same of finest nodes, of which nothing is counted that is left.
   void bound_last_block(const SphereBlock& block, std::uint64_t near, const BlockTurning& turning,
                         double at_least) {
-    count(std::int64_t{block.rows} * block.columns);
+    pairs_.count(std::int64_t{block.rows} * block.columns);
     for (; near != 0 && at_least < safe_; near &= near - 1) {
       const int bit = std::countr_zero(near);
       const int row = bit / kLanes;
@@ -372,7 +275,7 @@ class EntrySearch {
   [[nodiscard]] double time_of_last_nodes(const NodePair& nodes) {
     const double turning_m = turning_speed_m(bounding_sphere(pair_.a.world_volume(nodes.a)),
                                              bounding_sphere(pair_.b.world_volume(nodes.b)));
-    const double time = time_apart(gap_of(nodes), turning_m);
+    const double time = time_apart(pairs_.gap_of(nodes), turning_m);
     return time > 0.0 ? time : std::max(time, time_of_overlap(nodes, turning_m));
   }
 
@@ -383,9 +286,9 @@ class EntrySearch {
 
   /// The same of finest nodes that seem to overlap: they may, as deep as at the start.
   [[nodiscard]] double time_of_overlap(const NodePair& nodes, double turning_m) const {
-    const NodeGap found = gap_of(nodes);
-    const double deeper_m = std::max(0.0, -found.gap_m) - allowed_depth_m_;
-    const double too_deep_m = overlapped_at_start_ ? 0.5 * hair_m_ : 0.0;
+    const NodeGap found = pairs_.gap_of(nodes);
+    const double deeper_m = std::max(0.0, -found.gap_m) - at_start_.depth_m;
+    const double too_deep_m = at_start_.any ? 0.5 * hair_m_ : 0.0;
     if (deeper_m >= too_deep_m && nodes_overlap(pair_.a, nodes.a, pair_.b, nodes.b)) {
       return 0.0;
     }
@@ -413,31 +316,18 @@ class EntrySearch {
     return turn * ((sphere.centre - pose.position).norm() + sphere.radius_m);
   }
 
-  void place_roots() {
-    pair_.a.world_lanes(0, 1);
-    pair_.b.world_lanes(0, 1);
-  }
-
-  [[nodiscard]] NodeGap gap_of(const NodePair& nodes) const {
-    return of_spheres_ ? gap_of_bounds(pair_.a.world_sphere(nodes.a), pair_.b.world_sphere(nodes.b))
-                       : gap_of_nodes(pair_.a.world_volume(nodes.a), pair_.b.world_volume(nodes.b));
-  }
-
-  PairOnTheWay pair_;
-  bool of_spheres_;
+  CountedPairs pairs_;
+  const PairOnTheWay& pair_;
   double slow_m_;
   double hair_m_;
   Stretches stretches_;
   const RelativeStretch* stretch_{nullptr};
   Pose pose_a_;
   Pose pose_b_;
-  bool overlapped_at_start_{false};
-  double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
+  OverlapAtStart at_start_;
   double safe_{0.0};
   std::optional<NodePair> nearest_;  ///< finest nodes, in the last look at all
   NearSpheres near_;
-  std::int64_t tests_{0};
-  bool refused_{false};
 };
 
 }  // namespace
