@@ -40,13 +40,6 @@ IMPETUS_INLINED std::uint32_t meeting_by(const Ends& one, const Ends& others) {
   return static_cast<std::uint32_t>(bits);
 }
 
-#ifdef IMPETUS_FOUR_LANES
-/// Also where vectors hold eight: those GCC 12 compares lane by lane.
-IMPETUS_FOUR_LANES std::uint32_t meeting_by_four(const Ends& one, const Ends& others) {
-  return meeting_by<4>(one, others);
-}
-#endif
-
 /// Far beyond what rounding can do to the test of two spheres, as a share of the numbers in it.
 constexpr double kSlack = 1e-14;
 /// Squares of less are lost below the smallest number, squares of more are no numbers.
@@ -165,16 +158,14 @@ SweptIntervals::Ends SweptIntervals::from(std::size_t index) const {
           {&across_greatest_[0][index], &across_greatest_[1][index]}};
 }
 
-std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first,
-                                      [[maybe_unused]] LaneWidth width) const {
+std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first, LaneWidth width) const {
   const Ends one = from(index);
   const Ends others = from(first);
-#ifdef IMPETUS_FOUR_LANES
-  if (width != LaneWidth::kTwo) {
-    return meeting_by_four(one, others);
-  }
-#endif
-  return meeting_by<2>(one, others);
+  // Where vectors hold eight, of four, too: those GCC 12 compares lane by lane.
+  return in_lanes(
+      std::min(width, LaneWidth::kFour), [&]<int kWidth>() __attribute__((always_inline)) {
+        return meeting_by<kWidth>(one, others);
+      });
 }
 
 void SweepAndPrune::cover(const std::vector<MovedBound>& bodies, int axis) {

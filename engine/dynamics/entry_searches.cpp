@@ -98,7 +98,7 @@ PairOnTheWay EntrySearches::on_the_way(std::size_t pair, int worker, std::int64_
           step_.greatest_level,
           most_tests,
           /*work=*/nullptr,
-          step_.nearest_first};
+          step_.entry_rules};
 }
 
 std::optional<double> EntrySearches::look_at(std::size_t pair) {

@@ -161,26 +161,6 @@ IMPETUS_INLINED void turn_by(Rows& rows, int count) {
   }
 }
 
-#ifdef IMPETUS_EIGHT_LANES
-IMPETUS_EIGHT_LANES
-void turn_by_eight(Rows& rows, int count) { turn_by<8>(rows, count); }
-
-IMPETUS_FOUR_LANES
-void turn_by_four(Rows& rows, int count) { turn_by<4>(rows, count); }
-#endif
-
-void turn_rows(Rows& rows, int count, [[maybe_unused]] LaneWidth width) {
-#ifdef IMPETUS_EIGHT_LANES
-  if (width == LaneWidth::kEight) {
-    return turn_by_eight(rows, count);
-  }
-  if (width == LaneWidth::kFour) {
-    return turn_by_four(rows, count);
-  }
-#endif
-  turn_by<2>(rows, count);
-}
-
 }  // namespace
 
 void TurningBodies::put(const BodyModel& model, BodyState& state, double dt_s) {
@@ -196,7 +176,9 @@ void TurningBodies::turn(LaneWidth width) {
     for (int lane = count_; lane < kLanes; ++lane) {
       copy_lane(rows_, 0, lane);
     }
-    turn_rows(rows_, count_, width);
+    in_lanes(
+        width, [&]<int kWidth>()
+                   __attribute__((always_inline)) { turn_by<kWidth>(rows_, count_); });
   }
   for (int lane = 0; lane < count_; ++lane) {
     states_[static_cast<std::size_t>(lane)]->pose.orientation = orientation_of(rows_, lane);

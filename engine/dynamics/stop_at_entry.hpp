@@ -60,7 +60,7 @@ struct StepMade {
   PhaseWork* work{nullptr};                  ///< of the same, where it is metered, and of stops
   Workers* workers{nullptr};                 ///< who search at once; they change nothing
   const Enclosure* walls{nullptr};           ///< that end the ways of centres, if any do
-  bool nearest_first{true};                  ///< PairOnTheWay::nearest_first
+  EntryRules entry_rules{EntryRules::kNodeWays};
 };
 
 /// Who was stopped, and what finding it took.

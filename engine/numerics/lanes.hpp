@@ -1,9 +1,10 @@
 // Vectors of doubles, several widths from one source.
 //
 // A function that works on lanes is written once, inlined into one function for each width, and the
-// widest that the machine has is chosen at run time. Lanes never meet but by exact operations on
-// bits, so every width gives the same bits as no vector at all; none of the instruction sets named
-// here is asked to fuse a multiplication with an addition (-ffp-contract=off).
+// widest that the machine has is chosen at run time (in_lanes). Lanes never meet but by exact
+// operations on bits, so every width gives the same bits as no vector at all; none of the
+// instruction sets named here is asked to fuse a multiplication with an addition
+// (-ffp-contract=off).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -81,6 +82,33 @@ IMPETUS_INLINED void take_roots(typename Vectors<kWidth>::Numbers& numbers) {
     lanes[lane] = std::sqrt(lanes[lane]);
   }
   std::memcpy(&numbers, lanes, sizeof lanes);
+}
+
+#ifdef IMPETUS_EIGHT_LANES
+template <typename Kernel>
+IMPETUS_EIGHT_LANES auto in_eight_lanes(const Kernel& kernel) {
+  return kernel.template operator()<8>();
+}
+
+template <typename Kernel>
+IMPETUS_FOUR_LANES auto in_four_lanes(const Kernel& kernel) {
+  return kernel.template operator()<4>();
+}
+#endif
+
+/// `kernel.operator()<lanes>()`, which is to be always inlined, as it is compiled for so many
+/// lanes. Precondition: the machine has them.
+template <typename Kernel>
+auto in_lanes([[maybe_unused]] LaneWidth width, const Kernel& kernel) {
+#ifdef IMPETUS_EIGHT_LANES
+  if (width == LaneWidth::kEight) {
+    return in_eight_lanes(kernel);
+  }
+  if (width == LaneWidth::kFour) {
+    return in_four_lanes(kernel);
+  }
+#endif
+  return kernel.template operator()<2>();
 }
 
 }  // namespace impetus::inline numerics

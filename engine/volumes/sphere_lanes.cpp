@@ -118,38 +118,6 @@ IMPETUS_INLINED void touches_by(const SpherePairs& pairs, const Vector3& if_coin
   }
 }
 
-#ifdef IMPETUS_EIGHT_LANES
-IMPETUS_EIGHT_LANES
-void touches_by_eight(const SpherePairs& pairs, const Vector3& if_coincident, TouchPoint* touches) {
-  touches_by<8>(pairs, if_coincident, touches);
-}
-
-IMPETUS_FOUR_LANES
-void touches_by_four(const SpherePairs& pairs, const Vector3& if_coincident, TouchPoint* touches) {
-  touches_by<4>(pairs, if_coincident, touches);
-}
-
-IMPETUS_EIGHT_LANES
-std::uint64_t overlaps_by_eight(const SphereLanes& a, int rows, const SphereLanes& b, int columns) {
-  return overlaps_by<8>(a, rows, b, columns);
-}
-
-IMPETUS_FOUR_LANES
-std::uint64_t overlaps_by_four(const SphereLanes& a, int rows, const SphereLanes& b, int columns) {
-  return overlaps_by<4>(a, rows, b, columns);
-}
-
-IMPETUS_EIGHT_LANES
-void place_by_eight(const SphereLanes& own, const Pose& pose, const CentreLanes& placed) {
-  place_by<8>(own, pose, placed);
-}
-
-IMPETUS_FOUR_LANES
-void place_by_four(const SphereLanes& own, const Pose& pose, const CentreLanes& placed) {
-  place_by<4>(own, pose, placed);
-}
-#endif
-
 }  // namespace
 
 void SphereArrays::add(const Sphere& sphere) {
@@ -164,43 +132,27 @@ void SphereArrays::add(const Sphere& sphere) {
 }
 
 std::uint64_t overlaps_of_block(const SphereLanes& a, int rows, const SphereLanes& b, int columns,
-                                [[maybe_unused]] LaneWidth width) {
+                                LaneWidth width) {
   assert(rows >= 1 && rows <= kLanes && columns >= 1 && columns <= kLanes);
-#ifdef IMPETUS_EIGHT_LANES
-  if (width == LaneWidth::kEight) {
-    return overlaps_by_eight(a, rows, b, columns);
-  }
-  if (width == LaneWidth::kFour) {
-    return overlaps_by_four(a, rows, b, columns);
-  }
-#endif
-  return overlaps_by<2>(a, rows, b, columns);
+  return in_lanes(
+      width, [&]<int kWidth>() __attribute__((always_inline)) {
+        return overlaps_by<kWidth>(a, rows, b, columns);
+      });
 }
 
 void touches_of_pairs(const SpherePairs& pairs, const Vector3& normal_if_coincident,
-                      TouchPoint* touches, [[maybe_unused]] LaneWidth width) {
-#ifdef IMPETUS_EIGHT_LANES
-  if (width == LaneWidth::kEight) {
-    return touches_by_eight(pairs, normal_if_coincident, touches);
-  }
-  if (width == LaneWidth::kFour) {
-    return touches_by_four(pairs, normal_if_coincident, touches);
-  }
-#endif
-  touches_by<2>(pairs, normal_if_coincident, touches);
+                      TouchPoint* touches, LaneWidth width) {
+  in_lanes(
+      width, [&]<int kWidth>() __attribute__((always_inline)) {
+        touches_by<kWidth>(pairs, normal_if_coincident, touches);
+      });
 }
 
 void place_block(const SphereLanes& own, const Pose& pose, const CentreLanes& placed,
-                 [[maybe_unused]] LaneWidth width) {
-#ifdef IMPETUS_EIGHT_LANES
-  if (width == LaneWidth::kEight) {
-    return place_by_eight(own, pose, placed);
-  }
-  if (width == LaneWidth::kFour) {
-    return place_by_four(own, pose, placed);
-  }
-#endif
-  place_by<2>(own, pose, placed);
+                 LaneWidth width) {
+  in_lanes(
+      width, [&]<int kWidth>()
+                 __attribute__((always_inline)) { place_by<kWidth>(own, pose, placed); });
 }
 
 }  // namespace impetus::inline volumes

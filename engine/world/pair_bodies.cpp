@@ -126,6 +126,13 @@ const std::vector<PairBounds>& stoppable_pairs(const Step& step) {
   return stoppable;
 }
 
+EntryRules entry_rules(const WorldSettings& settings) {
+  if (settings.has_rules_before(7)) {
+    return EntryRules::kDirected;
+  }
+  return settings.has_rules_before(8) ? EntryRules::kNearestFirst : EntryRules::kNodeWays;
+}
+
 void stop_fast_pairs(const Step& step) {
   const WorldSettings& settings = step.settings;
   WorldState& world = step.world;
@@ -138,8 +145,7 @@ void stop_fast_pairs(const Step& step) {
   const Stopping& stopping = stop_at_entry(
       {step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step), greatest_level,
        settings.costs, settings.rotation, kMostStops, memory.falls, settings.most_entry_tests,
-       &work, memory.workers.get(), step.walls_of_centres(),
-       /*nearest_first=*/!settings.has_rules_before(7)},
+       &work, memory.workers.get(), step.walls_of_centres(), entry_rules(settings)},
       world.states, world.placed, memory.entries);
   for (PairBounds& pair : memory.candidates) {
     pair.a.centre = world.states[at(pair.pair.a)].pose.position;

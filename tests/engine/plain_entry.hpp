@@ -4,10 +4,10 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
-#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/directed_speeds.hpp"
+#include "engine/collision/entry/node_ways.hpp"
 #include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
 
@@ -18,8 +18,8 @@ inline constexpr double kHairShare = 0.125;
 inline constexpr double kRestShare = 0.25;
 /// Of that depth: how much deeper bodies may overlap that did at the start.
 inline constexpr double kDeeperShare = 0.25;
-inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
+template <typename Ways>
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)
@@ -27,7 +27,8 @@ class EntrySearch {
         of_spheres_(pair.a.of_spheres() && pair.b.of_spheres()),
         slow_m_(slow_way_m(pair.a.tree(), pair.b.tree(), pair.greatest_level)),
         hair_m_(kHairShare * slow_m_),
-        stretches_(stretches_of(pair.path_a, pair.path_b)) {}
+        stretches_(stretches_of(pair.path_a, pair.path_b)),
+        ways_(pair.path_a, pair.path_b, pair.a.reach_m(), pair.b.reach_m()) {}
 
   Entry run() {
     Entry entry;
@@ -37,10 +38,13 @@ class EntrySearch {
   }
 
  private:
+  using OfPair = typename Ways::OfPair;
+
   std::optional<double> first_time() {
     if (stretches_.empty()) {
       return std::nullopt;
     }
+    ways_.enter(stretches_[0]);
     place(stretches_[0].begin);
     measure_depth({0, 0}, 0);
     if (capped()) {
@@ -53,7 +57,7 @@ class EntrySearch {
       return std::nullopt;
     }
     for (const RelativeStretch& stretch : stretches_) {
-      stretch_ = &stretch;
+      ways_.enter(stretch);
       const std::optional<double> time = first_time_in(stretch);
       if (time) {
         return capped() ? unless_nearly_there(*time, slow_m_) : unless_nearly_there(*time, 0.0);
@@ -67,7 +71,7 @@ class EntrySearch {
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
-      safe_ = stretch.end - time;
+      safe_ = ways_.horizon(stretch.end - time);
       bound({0, 0}, 0, 0.0);
       const double next = time + safe_;
       if (capped() || !(next > time)) {
@@ -96,10 +100,9 @@ class EntrySearch {
   }
 
   void place(double time) {
-    pose_a_ = pose_at(pair_.path_a, time);
-    pose_b_ = pose_at(pair_.path_b, time);
-    pair_.a.move_to(pose_a_);
-    pair_.b.move_to(pose_b_);
+    pair_.a.move_to(pose_at(pair_.path_a, time));
+    pair_.b.move_to(pose_at(pair_.path_b, time));
+    ways_.place(pair_.a.pose(), pair_.b.pose(), time);
   }
 
   [[nodiscard]] double reach_a() const { return pair_.a.tree().bounding_radius_m(); }
@@ -149,13 +152,13 @@ class EntrySearch {
     const bool last = is_last(nodes, level);
     const Sphere bound_a = bound_of(pair_.a, nodes.a);
     const Sphere bound_b = bound_of(pair_.b, nodes.b);
-    const double turning_m = turning_speed_m(bound_a, bound_b);
-    double time = std::max(at_least, time_apart(gap_of_bounds(bound_a, bound_b), turning_m));
+    const OfPair way = ways_.of(bound_a, bound_b);
+    double time = std::max(at_least, time_of_spheres(bound_a, bound_b, way));
     if (!of_spheres_ && time < safe_) {
-      time = std::max(time, time_apart(gap_of(nodes), turning_m));
+      time = std::max(time, time_of_nodes(nodes, way));
     }
     if (last && time <= 0.0) {
-      time = std::max(time, time_of_overlap(nodes, turning_m));
+      time = std::max(time, time_of_overlap(nodes, way));
     }
     if (time >= safe_) {
       return;
@@ -167,37 +170,28 @@ class EntrySearch {
     for_each_pair_below(nodes, [&](const NodePair& below) { bound(below, level + 1, time); });
   }
 
-  /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
-  [[nodiscard]] double time_apart(const NodeGap& found, double turning_m) const {
-    return found.gap_m > 0.0 ? time_of_way(found.gap_m + hair_m_, found.normal, turning_m) : 0.0;
+  /// For how long they do not overlap by more than a hair; 0 when they overlap now.
+  [[nodiscard]] double time_of_spheres(const Sphere& a, const Sphere& b, const OfPair& way) const {
+    const NodeGap now = gap_of_bounds(a, b);
+    return now.gap_m > 0.0 ? ways_.time_of_spheres(now.gap_m + hair_m_, now, way, safe_) : 0.0;
+  }
+
+  [[nodiscard]] double time_of_nodes(const NodePair& nodes, const OfPair& way) const {
+    const NodeGap now = gap_of(nodes);
+    return now.gap_m > 0.0 ? ways_.time_of_nodes(now.gap_m + hair_m_, now, way, safe_) : 0.0;
   }
 
   /// The same of finest nodes that seem to overlap: they may, as deep as at the start.
-  [[nodiscard]] double time_of_overlap(const NodePair& nodes, double turning_m) const {
-    const NodeGap found = gap_of(nodes);
-    const double deeper_m = std::max(0.0, -found.gap_m) - allowed_depth_m_;
+  [[nodiscard]] double time_of_overlap(const NodePair& nodes, const OfPair& way) const {
+    const NodeGap now = gap_of(nodes);
+    const double deeper_m = std::max(0.0, -now.gap_m) - allowed_depth_m_;
     const double too_deep_m = overlapped_at_start_ ? 0.5 * hair_m_ : 0.0;
     if (deeper_m >= too_deep_m && nodes_overlap(pair_.a, nodes.a, pair_.b, nodes.b)) {
       return 0.0;
     }
-    return time_of_way(hair_m_ - deeper_m, found.normal, turning_m);
-  }
-
-  [[nodiscard]] double time_of_way(double way_m, const Vector3& normal, double turning_m) const {
-    const double closing_m = std::max(0.0, -normal.dot(stretch_->velocity)) + turning_m;
-    return closing_m > 0.0 ? way_m / closing_m : kForever;
-  }
-
-  /// How fast points of the nodes can move towards each other by the bodies' turning.
-  [[nodiscard]] double turning_speed_m(const Sphere& a, const Sphere& b) const {
-    double speed_m = 0.0;
-    if (stretch_->turn_a > 0.0) {
-      speed_m += stretch_->turn_a * ((a.centre - pose_a_.position).norm() + a.radius_m);
-    }
-    if (stretch_->turn_b > 0.0) {
-      speed_m += stretch_->turn_b * ((b.centre - pose_b_.position).norm() + b.radius_m);
-    }
-    return speed_m;
+    const double way_m = hair_m_ - deeper_m;
+    return of_spheres_ ? ways_.time_of_spheres(way_m, now, way, safe_)
+                       : ways_.time_of_nodes(way_m, now, way, safe_);
   }
 
   static Sphere bound_of(PlacedTree& tree, std::int32_t node) {
@@ -214,15 +208,17 @@ class EntrySearch {
   double slow_m_;
   double hair_m_;
   Stretches stretches_;
-  const RelativeStretch* stretch_{nullptr};
-  Pose pose_a_;
-  Pose pose_b_;
+  Ways ways_;
   bool overlapped_at_start_{false};
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
   std::int64_t tests_{0};
 };
 
-inline Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }
+/// By the rules of today, or of recording formats below 7.
+inline Entry time_of_entry(const PairOnTheWay& pair) {
+  return pair.rules == EntryRules::kNodeWays ? EntrySearch<NodeWays>(pair).run()
+                                             : EntrySearch<DirectedSpeeds>(pair).run();
+}
 
 }  // namespace impetus::plain

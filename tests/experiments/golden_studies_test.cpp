@@ -20,6 +20,7 @@ constexpr Recording kRecordings[] = {
     {"at-walls", 4U},               // of format 5: bodies that are through a wall within a step
     {"tumbling", 2U},               // of format 6: figures whose motion is cut
     {"rushing", 2U},                // of format 7: many tests along the ways of fast bodies
+    {"passing", 2U},                // of format 8: ways of nodes foreseen, as spheres and boxes
     {"behind-the-curtain", 7U},     // a curtain; a launch that nothing follows
     {"causality-thresholds", 20U},  // training, three or more of each delay
     {"causality-thresholds-quest", 21U},
@@ -104,6 +105,8 @@ TEST(GoldenStudies, BodiesFallByTheRulesOfTheFormatThatTheyWereRecordedIn) {
   EXPECT_EQ(divergent_by("tumbling", 5), 2) << "each of its trials";
   EXPECT_EQ(divergent_by("rushing", 7), 0);
   EXPECT_EQ(divergent_by("rushing", 6), 2) << "each of its trials";
+  EXPECT_EQ(divergent_by("passing", 8), 0);
+  EXPECT_EQ(divergent_by("passing", 7), 2) << "each of its trials";
 }
 
 // What would not be noticed by a comparison of builds, if no recording had it.

@@ -24,6 +24,11 @@ double fastest_turn(const BodyPath& path) {
 
 double turning_of(const BodyPath& path) { return fastest_turn(path) / (path.stop - path.begin); }
 
+/// Of a point on its arc, by its turning and by how that changes: for x = tan(Θ/4), 16 x² + 16 x³.
+double bend_of(const BodyPath& path, double turning) {
+  return turning * turning * (1.0 + 0.25 * turning * (path.stop - path.begin));
+}
+
 }  // namespace
 
 Pose pose_at(const BodyPath& path, double time) {
@@ -40,6 +45,22 @@ Pose pose_at(const BodyPath& path, double time) {
   const Quaternion turned(Eigen::Vector4d((1.0 - share) * from.coeffs() + side * to.coeffs()));
   return {path.start.position + share * (path.end.position - path.start.position),
           turned.normalized()};
+}
+
+Vector3 turning_at(const BodyPath& path, double time) {
+  const double length = path.stop - path.begin;
+  const double share = std::clamp((time - path.begin) / length, 0.0, 1.0);
+  const Quaternion turn = path.end.orientation * path.start.orientation.conjugate();
+  const double side = turn.w() < 0.0 ? -2.0 : 2.0;
+  const double slower = 1.0 - 2.0 * share * (1.0 - share) * (1.0 - std::abs(turn.w()));
+  return side / (slower * length) * turn.vec();
+}
+
+bool reach_holds(const Pose& pose, double reach_m) {
+  constexpr double kFar = 1e5;
+  constexpr double kStretch = 1e-11;
+  return pose.position.allFinite() && pose.position.cwiseAbs().maxCoeff() <= kFar * reach_m &&
+         std::abs(pose.orientation.squaredNorm() - 1.0) <= kStretch;
 }
 
 double farthest_m(const BodyPath& path, double reach_m) {
@@ -62,10 +83,12 @@ Stretches stretches_of(const BodyPath& a, const BodyPath& b) {
     if (a_moves) {
       stretch.velocity += velocity_of(a);
       stretch.turn_a = turning_of(a);
+      stretch.bend_a = bend_of(a, stretch.turn_a);
     }
     if (b_moves) {
       stretch.velocity -= velocity_of(b);
       stretch.turn_b = turning_of(b);
+      stretch.bend_b = bend_of(b, stretch.turn_b);
     }
     stretches.add(stretch);
   }

@@ -4,7 +4,8 @@
 //     start           moving              end
 //
 // This is the way that is drawn. The turn is interpolated by normalised quaternions, which turn
-// fastest half way: by 4 tan(Θ/4) a stretch for a turn by Θ.
+// fastest half way: by 4 tan(Θ/4) a stretch for a turn by Θ. At share s of the stretch they turn by
+// 2 sin(Θ/2) / (1 − 2 s (1 − s) (1 − cos(Θ/2))), and that changes by at most 16 tan³(Θ/4).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -27,6 +28,17 @@ struct BodyPath {
 /// Where the body is at share `time` of the step.
 Pose pose_at(const BodyPath& path, double time);
 
+/// How it turns at share `time` of the step, while it moves: about this axis, at this speed
+/// (radians a step).
+Vector3 turning_at(const BodyPath& path, double time);
+
+/// A length whose fourth power is an ordinary number.
+inline bool can_be_squared(double length_m) { return length_m > 1e-60 && length_m < 1e50; }
+
+/// Whether points that stay within the reach of the centre of mass do so in the world, too: the
+/// pose is of numbers, turns without stretching and is not so far off that rounding counts.
+bool reach_holds(const Pose& pose, double reach_m);
+
 /// At most how far a point no further than `reach_m` from the centre of mass goes (metres).
 double farthest_m(const BodyPath& path, double reach_m);
 
@@ -38,6 +50,10 @@ struct RelativeStretch {
   Vector3 velocity{Vector3::Zero()};  ///< of a against b (metres a step)
   double turn_a{0.0};                 ///< at most (radians a step)
   double turn_b{0.0};
+  /// How far from straight and steady that takes a point a metre from the centre of mass: at most
+  /// the second derivative of where it is (radians a step², near enough).
+  double bend_a{0.0};
+  double bend_b{0.0};
 
   /// At most how far points of the bodies come towards each other (metres a step): those no
   /// further than `reach_a_m` and `reach_b_m` from the centres of mass.

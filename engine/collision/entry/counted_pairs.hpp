@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/node_gap.hpp"
 #include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/sphere_block.hpp"
 

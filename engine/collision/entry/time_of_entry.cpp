@@ -8,7 +8,8 @@
 #include <optional>
 
 #include "engine/collision/entry/counted_pairs.hpp"
-#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/directed_speeds.hpp"
+#include "engine/collision/entry/node_ways.hpp"
 #include "engine/collision/entry/overlap_at_start.hpp"
 #include "engine/collision/sphere_block.hpp"
 
@@ -22,7 +23,8 @@ constexpr double kRestShare = 0.25;
 constexpr double kDeeperShare = 0.25;
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-/// The search for the first entry of one pair.
+/// The search for the first entry of one pair, by the ways that nodes go.
+template <typename Ways>
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)
@@ -30,7 +32,8 @@ class EntrySearch {
         pair_(pairs_.pair()),
         slow_m_(slow_way_m(pair.a.tree(), pair.b.tree(), pair.greatest_level)),
         hair_m_(kHairShare * slow_m_),
-        stretches_(stretches_of(pair.path_a, pair.path_b)) {}
+        stretches_(stretches_of(pair.path_a, pair.path_b)),
+        ways_(pair.path_a, pair.path_b, pair.a.reach_m(), pair.b.reach_m()) {}
 
   Entry run() {
     Entry entry;
@@ -41,10 +44,14 @@ class EntrySearch {
   }
 
  private:
+  using OfPair = typename Ways::OfPair;
+  using OfBlock = typename Ways::OfBlock;
+
   std::optional<double> first_time() {
     if (stretches_.empty()) {
       return std::nullopt;
     }
+    ways_.enter(stretches_[0]);
     place(stretches_[0].begin);
     at_start_ = overlap_at_start(pairs_, slow_m_);
     if (pairs_.capped()) {
@@ -57,7 +64,6 @@ class EntrySearch {
       return std::nullopt;
     }
     for (const RelativeStretch& stretch : stretches_) {
-      stretch_ = &stretch;
       const std::optional<double> time = first_time_in(stretch);
       if (time) {
         return pairs_.capped() ? unless_nearly_there(*time, slow_m_)
@@ -69,11 +75,11 @@ class EntrySearch {
 
   /// None when the stretch's end is reached.
   std::optional<double> first_time_in(const RelativeStretch& stretch) {
-    near_.enter(stretch, pair_.a.reach_m(), pair_.b.reach_m());
+    ways_.enter(stretch);
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
-      look_ahead(stretch.end - time);
+      look_ahead(ways_.horizon(stretch.end - time));
       const double next = time + safe_;
       if (pairs_.capped() || !(next > time)) {
         return time;
@@ -83,12 +89,12 @@ class EntrySearch {
     return std::nullopt;
   }
 
-  /// Finds for how long no finest nodes can touch, at most `most`. The nodes that came nearest in
-  /// the look before are asked first, and of siblings the nearest: few come nearer, and the others
-  /// are ruled out sooner.
+  /// Finds for how long no finest nodes can touch, at most `most`. Where the nearest come first,
+  /// those that came nearest in the look before do, and of siblings the nearest: few come nearer,
+  /// and the others are ruled out sooner.
   void look_ahead(double most) {
     safe_ = most;
-    if (pair_.nearest_first && nearest_ && !pairs_.capped()) {
+    if (nearest_first() && nearest_ && !pairs_.capped()) {
       pairs_.count(1);
       safe_ = std::min(most, std::nextafter(time_of_last_nodes(*nearest_), kForever));
     }
@@ -118,11 +124,12 @@ class EntrySearch {
   }
 
   void place(double time) {
-    pose_a_ = pose_at(pair_.path_a, time);
-    pose_b_ = pose_at(pair_.path_b, time);
-    pair_.a.move_to(pose_a_);
-    pair_.b.move_to(pose_b_);
+    pair_.a.move_to(pose_at(pair_.path_a, time));
+    pair_.b.move_to(pose_at(pair_.path_b, time));
+    ways_.place(pair_.a.pose(), pair_.b.pose(), time);
   }
+
+  [[nodiscard]] bool nearest_first() const { return pair_.rules == EntryRules::kNearestFirst; }
 
   [[nodiscard]] double reach_a() const { return pair_.a.tree().bounding_radius_m(); }
   [[nodiscard]] double reach_b() const { return pair_.b.tree().bounding_radius_m(); }
@@ -138,10 +145,9 @@ class EntrySearch {
       return;
     }
     pairs_.place_roots();
-    near_.place(pose_a_, pose_b_);
     const Sphere a = pair_.a.world_sphere(0);
     const Sphere b = pair_.b.world_sphere(0);
-    bound_spheres({0, 0}, a, b, turning_speed_m(a, b), 0, 0.0);
+    bound_spheres({0, 0}, a, b, ways_.of(a, b), 0, 0.0);
   }
 
   /// Lowers safe_ to the time for which the finest nodes below this pair cannot touch. `at_least`
@@ -149,12 +155,12 @@ class EntrySearch {
   void bound(const NodePair& nodes, int level, double at_least) {
     const Sphere bound_a = bounding_sphere(pair_.a.world_volume(nodes.a));
     const Sphere bound_b = bounding_sphere(pair_.b.world_volume(nodes.b));
-    const double turning_m = turning_speed_m(bound_a, bound_b);
-    double time = std::max(at_least, time_apart(gap_of_bounds(bound_a, bound_b), turning_m));
+    const OfPair way = ways_.of(bound_a, bound_b);
+    double time = std::max(at_least, time_of_spheres(bound_a, bound_b, way));
     if (time < safe_) {
-      time = std::max(time, time_apart(pairs_.gap_of(nodes), turning_m));
+      time = std::max(time, time_of_nodes(nodes, way));
     }
-    bound_by(nodes, level, time, turning_m, [&] {
+    bound_by(nodes, level, time, way, [&] {
       pairs_.for_each_pair_below(nodes, [&](const NodePair& below) {
         if (!pairs_.capped()) {
           pairs_.count(1);
@@ -165,10 +171,10 @@ class EntrySearch {
   }
 
   /// The same of spheres, a block at a time.
-  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, double turning_m,
+  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, const OfPair& way,
                      int level, double at_least) {
-    const double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
-    bound_by(nodes, level, time, turning_m, [&] {
+    const double time = std::max(at_least, time_of_spheres(a, b, way));
+    bound_by(nodes, level, time, way, [&] {
       for_each_block_below(pair_.a, pair_.b, nodes,
                            [&](const SphereBlock& block) { bound_block(block, level + 1, time); });
     });
@@ -176,11 +182,11 @@ class EntrySearch {
 
   /// `time` is what is known of the pair, `bound_below` goes on with those below it.
   template <typename BoundBelow>
-  void bound_by(const NodePair& nodes, int level, double time, double turning_m,
+  void bound_by(const NodePair& nodes, int level, double time, const OfPair& way,
                 const BoundBelow& bound_below) {
     const bool last = pairs_.is_last(nodes, level);
     if (last && time <= 0.0) {
-      time = std::max(time, time_of_overlap(nodes, turning_m));
+      time = std::max(time, time_of_overlap(nodes, way));
     }
     if (time >= safe_) {
       return;
@@ -200,23 +206,22 @@ class EntrySearch {
       pairs_.count(std::int64_t{block.rows} * block.columns);
       return;
     }
-    BlockTurning turning;
-    std::uint64_t near = near_.within(safe_, hair_m_, block, turning);
+    OfBlock ways;
+    std::uint64_t near = ways_.within(safe_, hair_m_, block, ways);
     if (level >= pair_.greatest_level &&
         pairs_.tests() + block.rows * block.columns < pair_.most_tests) {
-      bound_last_block(block, near, turning, at_least);
+      bound_last_block(block, near, ways, at_least);
       return;
     }
     const auto go_on = [&](int row, int column) {
       const Sphere a = sphere_of(block.a, row);
       const Sphere b = sphere_of(block.b, column);
-      const double turning_m = turning.a[lane(row)] + turning.b[lane(column)];
-      if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
-        bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
-                      at_least);
+      const OfPair way = ways_.of(ways, block, row, column);
+      if (at_least < safe_ && !ways_.apart_for(safe_, hair_m_, a, b, way)) {
+        bound_spheres({block.first.a + row, block.first.b + column}, a, b, way, level, at_least);
       }
     };
-    if (pair_.nearest_first && near != 0) {
+    if (nearest_first() && near != 0) {
       const int nearest = nearest_of(block, near);
       go_on(nearest / kLanes, nearest % kLanes);
       near &= ~(std::uint64_t{1} << nearest);
@@ -242,7 +247,7 @@ class EntrySearch {
   }
 
   /// The same of finest nodes, of which nothing is counted that is left.
-  void bound_last_block(const SphereBlock& block, std::uint64_t near, const BlockTurning& turning,
+  void bound_last_block(const SphereBlock& block, std::uint64_t near, const OfBlock& ways,
                         double at_least) {
     pairs_.count(std::int64_t{block.rows} * block.columns);
     for (; near != 0 && at_least < safe_; near &= near - 1) {
@@ -251,14 +256,14 @@ class EntrySearch {
       const int column = bit % kLanes;
       const Sphere a = sphere_of(block.a, row);
       const Sphere b = sphere_of(block.b, column);
-      const double turning_m = turning.a[lane(row)] + turning.b[lane(column)];
-      if (near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
+      const OfPair way = ways_.of(ways, block, row, column);
+      if (ways_.apart_for(safe_, hair_m_, a, b, way)) {
         continue;
       }
       const NodePair nodes{block.first.a + row, block.first.b + column};
-      double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
+      double time = std::max(at_least, time_of_spheres(a, b, way));
       if (time <= 0.0) {
-        time = std::max(time, time_of_overlap(nodes, turning_m));
+        time = std::max(time, time_of_overlap(nodes, way));
       }
       if (!(time >= safe_)) {
         lower_to(time, nodes);
@@ -273,47 +278,37 @@ class EntrySearch {
 
   /// For how long two finest nodes cannot touch, whatever is known of those above them.
   [[nodiscard]] double time_of_last_nodes(const NodePair& nodes) {
-    const double turning_m = turning_speed_m(bounding_sphere(pair_.a.world_volume(nodes.a)),
-                                             bounding_sphere(pair_.b.world_volume(nodes.b)));
-    const double time = time_apart(pairs_.gap_of(nodes), turning_m);
-    return time > 0.0 ? time : std::max(time, time_of_overlap(nodes, turning_m));
+    const Sphere a = bounding_sphere(pair_.a.world_volume(nodes.a));
+    const Sphere b = bounding_sphere(pair_.b.world_volume(nodes.b));
+    const OfPair way = ways_.of(a, b);
+    const double time =
+        pairs_.of_spheres() ? time_of_spheres(a, b, way) : time_of_nodes(nodes, way);
+    return time > 0.0 ? time : std::max(time, time_of_overlap(nodes, way));
   }
 
-  /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
-  [[nodiscard]] double time_apart(const NodeGap& found, double turning_m) const {
-    return found.gap_m > 0.0 ? time_of_way(found.gap_m + hair_m_, found.normal, turning_m) : 0.0;
+  /// For how long spheres do not overlap by more than a hair; 0 when they overlap now.
+  [[nodiscard]] double time_of_spheres(const Sphere& a, const Sphere& b, const OfPair& way) const {
+    const NodeGap now = gap_of_bounds(a, b);
+    return now.gap_m > 0.0 ? ways_.time_of_spheres(now.gap_m + hair_m_, now, way, safe_) : 0.0;
+  }
+
+  /// The same of nodes that are not spheres.
+  [[nodiscard]] double time_of_nodes(const NodePair& nodes, const OfPair& way) const {
+    const NodeGap now = pairs_.gap_of(nodes);
+    return now.gap_m > 0.0 ? ways_.time_of_nodes(now.gap_m + hair_m_, now, way, safe_) : 0.0;
   }
 
   /// The same of finest nodes that seem to overlap: they may, as deep as at the start.
-  [[nodiscard]] double time_of_overlap(const NodePair& nodes, double turning_m) const {
-    const NodeGap found = pairs_.gap_of(nodes);
-    const double deeper_m = std::max(0.0, -found.gap_m) - at_start_.depth_m;
+  [[nodiscard]] double time_of_overlap(const NodePair& nodes, const OfPair& way) const {
+    const NodeGap now = pairs_.gap_of(nodes);
+    const double deeper_m = std::max(0.0, -now.gap_m) - at_start_.depth_m;
     const double too_deep_m = at_start_.any ? 0.5 * hair_m_ : 0.0;
     if (deeper_m >= too_deep_m && nodes_overlap(pair_.a, nodes.a, pair_.b, nodes.b)) {
       return 0.0;
     }
-    return time_of_way(hair_m_ - deeper_m, found.normal, turning_m);
-  }
-
-  [[nodiscard]] double time_of_way(double way_m, const Vector3& normal, double turning_m) const {
-    const double closing_m = std::max(0.0, -normal.dot(stretch_->velocity)) + turning_m;
-    return closing_m > 0.0 ? way_m / closing_m : kForever;
-  }
-
-  /// How fast points of the nodes can move towards each other by the bodies' turning.
-  [[nodiscard]] double turning_speed_m(const Sphere& a, const Sphere& b) const {
-    double speed_m = 0.0;
-    if (stretch_->turn_a > 0.0) {
-      speed_m += turning_speed_m(a, pose_a_, stretch_->turn_a);
-    }
-    if (stretch_->turn_b > 0.0) {
-      speed_m += turning_speed_m(b, pose_b_, stretch_->turn_b);
-    }
-    return speed_m;
-  }
-
-  static double turning_speed_m(const Sphere& sphere, const Pose& pose, double turn) {
-    return turn * ((sphere.centre - pose.position).norm() + sphere.radius_m);
+    const double way_m = hair_m_ - deeper_m;
+    return pairs_.of_spheres() ? ways_.time_of_spheres(way_m, now, way, safe_)
+                               : ways_.time_of_nodes(way_m, now, way, safe_);
   }
 
   CountedPairs pairs_;
@@ -321,13 +316,10 @@ class EntrySearch {
   double slow_m_;
   double hair_m_;
   Stretches stretches_;
-  const RelativeStretch* stretch_{nullptr};
-  Pose pose_a_;
-  Pose pose_b_;
+  Ways ways_;
   OverlapAtStart at_start_;
   double safe_{0.0};
   std::optional<NodePair> nearest_;  ///< finest nodes, in the last look at all
-  NearSpheres near_;
 };
 
 }  // namespace
@@ -340,6 +332,9 @@ bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
   return slow_m > 0.0 && way_m > share_of_slow_way * slow_m;
 }
 
-Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }
+Entry time_of_entry(const PairOnTheWay& pair) {
+  return pair.rules == EntryRules::kNodeWays ? EntrySearch<NodeWays>(pair).run()
+                                             : EntrySearch<DirectedSpeeds>(pair).run();
+}
 
 }  // namespace impetus::inline collision

@@ -4,20 +4,18 @@
 //   ▲                                                                             │
 //   └──── apart, and the step not over ◄──────────────────────────────────────────┘
 //
-//   time of a node pair = (gap + hair) / closing speed
-//
-// Of two nodes apart by `gap` along a direction, nothing meets before their points have moved by it
-// towards each other, and after `hair` more they overlap by no more than it. Nodes count as the
+// Two nodes touch no sooner than they close the gap between them on the ways that they go from here
+// (node_ways.hpp), and `hair` further on they overlap by no more than it. Nodes count as the
 // refinement counts them: a pair whose parents are apart does not touch. The bound of a pair of
 // trees is found by branch and bound over their node pairs.
 //
 // Trees of spheres are searched a block of siblings at a time: those that could touch in time are
-// looked at closely, in their order (near_nodes.hpp). Tests that are skipped are counted, so a
-// search costs what it is worth, in whatever way it is done.
+// looked at closely, in their order. Tests that are skipped are counted, so a search costs what it
+// is worth, in whatever way it is done.
 //
 // Bodies that already overlap at the start may go on as long as they do not overlap by more; those
 // that overlap by more than they are thick are left to the response.
-// (Mirtich 1996; Zhang et al. 2006, for the directed speeds; Dingliana 2002, sec. 5.3.2)
+// (Mirtich 1996; Tang, Kim and Manocha 2009; Dingliana 2002, sec. 5.3.2)
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -37,6 +35,15 @@ namespace impetus::inline collision {
 /// go on by what a slow pair may, and stop there.
 inline constexpr std::int64_t kMostEntryTests = 20'000;
 
+/// How a search bounds when nodes touch, and in which order it asks: by the rules of a recording
+/// format.
+enum class EntryRules {
+  kDirected,      ///< below 7: by how fast points can come towards each other, in order
+  kNearestFirst,  ///< 7: the same; each look begins with the nodes that were nearest in the look
+                  ///< before and goes on with the nearest of siblings
+  kNodeWays,      ///< from 8 on: by the way of each node, in order
+};
+
 /// Two bodies, their ways, and how finely they are looked at. Both trees must outlive it, and are
 /// left where the search ends.
 struct PairOnTheWay {
@@ -47,10 +54,7 @@ struct PairOnTheWay {
   int greatest_level;
   std::int64_t most_tests{kMostEntryTests};  ///< at least 1
   PhaseWork* work{nullptr};  ///< asked for the tests, where work is metered; then it ends there too
-  /// Whether each look at all nodes begins with those that were nearest in the look before, and
-  /// goes on with the nearest of siblings, so that it takes fewer tests; not by the rules of
-  /// recording formats below 7.
-  bool nearest_first{true};
+  EntryRules rules{EntryRules::kNodeWays};
 };
 
 /// Whether the bodies move further against each other within the step than this share of what a

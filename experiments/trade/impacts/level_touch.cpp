@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/node_gap.hpp"
 #include "engine/collision/sphere_block.hpp"
 
 namespace impetus::inline trade {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/collision/budgeted_refinement.hpp"
-#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/node_gap.hpp"
 #include "tests/engine/crowds.hpp"
 #include "tests/engine/once.hpp"
 

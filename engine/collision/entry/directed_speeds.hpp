@@ -1,43 +1,24 @@
-// How far two nodes are apart, and in which direction; and which spheres of two bodies on their
-// ways could touch within a time, without asking when.
+// How soon two nodes can touch, by the rules of recording formats below 8: by how fast their points
+// can come towards each other along the gap, in whatever direction they turn.
 //
 //   |<-- gap -->|         a and b approach by no more than speed · time + turning · time: what is
 //  (a)         (b)        further apart does not touch
 //
-// Both answers are to the safe side by a margin far above rounding: what they rule out, the time of
-// the pair's own formula (time_of_entry.cpp) rules out too. So a search that leaves it out finds
-// the same.
+// within() and apart_for() are to the safe side by a margin far above rounding: what they rule out,
+// time_of_nodes() rules out too. So a search that leaves it out finds the same.
+// (Zhang et al. 2006)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/collision/entry/body_path.hpp"
+#include "engine/collision/entry/node_gap.hpp"
 #include "engine/collision/placed_tree.hpp"
 #include "engine/collision/sphere_block.hpp"
 
 namespace impetus::inline collision {
-
-/// The gap between two nodes.
-struct NodeGap {
-  double gap_m{0.0};                 ///< less than zero: how deep they overlap
-  Vector3 normal{Vector3::UnitX()};  ///< unit, from b towards a; they are as far apart along it
-};
-
-/// Of the spheres that bound the nodes: never more than the nodes' own.
-inline NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
-  const Vector3 offset = a.centre - b.centre;
-  const double distance_m = offset.norm();
-  NodeGap found;
-  found.gap_m = distance_m - a.radius_m - b.radius_m;
-  if (distance_m > 0.0) {
-    found.normal = offset / distance_m;
-  }
-  return found;
-}
-
-/// Of the nodes themselves.
-NodeGap gap_of_nodes(const Volume& a, const Volume& b);
 
 /// How fast points of a block's spheres can move by their body's turning (metres a step).
 struct BlockTurning {
@@ -45,16 +26,50 @@ struct BlockTurning {
   LaneValues b;  ///< by column
 };
 
-/// Rules out spheres of two bodies that go a stretch of their ways.
-class NearSpheres {
+/// Two bodies in a stretch of their ways, and where they are on it; used as NodeWays.
+class DirectedSpeeds {
  public:
-  /// Bodies in a stretch of their ways, all points of which stay within the reaches of their
-  /// centres of mass (metres).
-  void enter(const RelativeStretch& stretch, double reach_a_m, double reach_b_m);
+  using OfPair = double;  ///< how fast points can move towards each other by turning
+  using OfBlock = BlockTurning;
 
-  /// Whether the poses are such that the reaches hold: they are numbers, turn without stretching
-  /// and are not so far off that rounding counts. Else nothing is ruled out.
-  void place(const Pose& a, const Pose& b);
+  DirectedSpeeds(const BodyPath& /*path_a*/, const BodyPath& /*path_b*/, double reach_a_m,
+                 double reach_b_m)
+      : reach_a_m_(reach_a_m), reach_b_m_(reach_b_m) {}
+
+  void enter(const RelativeStretch& stretch);
+
+  /// Nothing is ruled out if the poses are not such that the reaches hold: they are numbers, turn
+  /// without stretching and are not so far off that rounding counts.
+  void place(const Pose& a, const Pose& b, double time);
+
+  [[nodiscard]] static double horizon(double left) { return left; }
+
+  [[nodiscard]] double of(const Sphere& a, const Sphere& b) const {
+    double speed_m = 0.0;
+    if (turn_a_ > 0.0) {
+      speed_m += turn_a_ * ((a.centre - centre_a_).norm() + a.radius_m);
+    }
+    if (turn_b_ > 0.0) {
+      speed_m += turn_b_ * ((b.centre - centre_b_).norm() + b.radius_m);
+    }
+    return speed_m;
+  }
+
+  [[nodiscard]] static double of(const BlockTurning& turning, const SphereBlock& /*block*/, int row,
+                                 int column) {
+    return turning.a[lane(row)] + turning.b[lane(column)];
+  }
+
+  [[nodiscard]] double time_of_nodes(double way_m, const NodeGap& now, double turning_m,
+                                     double /*most*/) const {
+    const double closing_m = std::max(0.0, -now.normal.dot(velocity_)) + turning_m;
+    return closing_m > 0.0 ? way_m / closing_m : std::numeric_limits<double>::infinity();
+  }
+
+  [[nodiscard]] double time_of_spheres(double way_m, const NodeGap& now, double turning_m,
+                                       double most) const {
+    return time_of_nodes(way_m, now, turning_m, most);
+  }
 
   /// The pairs of a block that could touch by more than `hair_m` within `time`: of the others
   /// apart_for() is true. Finds how fast the points of each sphere move by their body's turning.

@@ -1,35 +1,19 @@
 // What spheres on their ways a block rules out at once, against the time of each pair.
 // SPDX-License-Identifier: MIT
-#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/entry/directed_speeds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
+#include "tests/engine/body_of_spheres.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus::near_nodes_test {
+namespace impetus::directed_speeds_test {
 
 constexpr std::uint64_t kSeed = 27;
 constexpr double kHair_m = 0.002;
-
-/// Spheres of a body at a random pose, in the world.
-struct BodyOfSpheres {
-  BodyOfSpheres(RandomStream& random, const Vector3& about) {
-    pose.position = about + random_in_cube(random, 0.05);
-    pose.orientation = random_turn(random);
-    for (int i = 0; i < kLanes; ++i) {
-      const Sphere sphere{pose.position + random_in_cube(random, 0.1), 0.02 * random.uniform()};
-      reach_m = std::max(reach_m, (sphere.centre - pose.position).norm() + sphere.radius_m);
-      spheres.add(sphere);
-    }
-  }
-  Pose pose;
-  SphereArrays spheres;
-  double reach_m{0.0};
-};
 
 /// (gap + hair) / closing speed; 0 when they overlap.
 double time_apart(const Sphere& a, const Sphere& b, const RelativeStretch& stretch,
@@ -45,7 +29,7 @@ double time_apart(const Sphere& a, const Sphere& b, const RelativeStretch& stret
                          : std::numeric_limits<double>::infinity();
 }
 
-TEST(NearSpheres, WhatIsRuledOutTouchesLaterAndLittleElseIsLeftAtAnyWidth) {
+TEST(DirectedSpeeds, WhatIsRuledOutTouchesLaterAndLittleElseIsLeftAtAnyWidth) {
   RandomStream random(kSeed, "blocks");
   int left = 0;
   int left_for_nothing = 0;
@@ -57,9 +41,10 @@ TEST(NearSpheres, WhatIsRuledOutTouchesLaterAndLittleElseIsLeftAtAnyWidth) {
     stretch.velocity = random_in_cube(random, 0.3);
     stretch.turn_a = trial % 3 == 0 ? 0.0 : random.uniform();
     stretch.turn_b = trial % 4 == 0 ? 0.0 : random.uniform();
-    NearSpheres near;
-    near.enter(stretch, a.reach_m, b.reach_m);
-    near.place(a.pose, b.pose);
+    const BodyPath way;
+    DirectedSpeeds near(way, way, a.reach_m, b.reach_m);
+    near.enter(stretch);
+    near.place(a.pose, b.pose, 0.0);
     const SphereBlock block{{0, 0}, a.spheres.lanes(0), kLanes, b.spheres.lanes(0), kLanes - 1};
     const double time = random.uniform();
     BlockTurning turning{};
@@ -95,7 +80,7 @@ TEST(NearSpheres, WhatIsRuledOutTouchesLaterAndLittleElseIsLeftAtAnyWidth) {
   EXPECT_EQ(left_for_nothing, 0);
 }
 
-TEST(NearSpheres, NothingIsRuledOutWhereRoundingCountsOrNumbersCannotBeSquared) {
+TEST(DirectedSpeeds, NothingIsRuledOutWhereRoundingCountsOrNumbersCannotBeSquared) {
   RandomStream random(kSeed, "far off");
   const BodyOfSpheres b(random, Vector3::Zero());
   for (const Vector3& about : {Vector3(1e6, 0.0, 0.0), Vector3(1.0, 0.0, 0.0)}) {
@@ -103,9 +88,10 @@ TEST(NearSpheres, NothingIsRuledOutWhereRoundingCountsOrNumbersCannotBeSquared) 
     for (const double speed : {1.0, 1e200}) {
       RelativeStretch stretch;
       stretch.velocity = Vector3(-speed, 0.0, 0.0);
-      NearSpheres near;
-      near.enter(stretch, a.reach_m, b.reach_m);
-      near.place(a.pose, b.pose);
+      const BodyPath way;
+      DirectedSpeeds near(way, way, a.reach_m, b.reach_m);
+      near.enter(stretch);
+      near.place(a.pose, b.pose, 0.0);
       const SphereBlock block{{0, 0}, a.spheres.lanes(0), kLanes, b.spheres.lanes(0), kLanes};
       BlockTurning turning{};
       const bool all = near.within(1e-9, kHair_m, block, turning) == block.all();
@@ -114,4 +100,4 @@ TEST(NearSpheres, NothingIsRuledOutWhereRoundingCountsOrNumbersCannotBeSquared) 
   }
 }
 
-}  // namespace impetus::near_nodes_test
+}  // namespace impetus::directed_speeds_test
