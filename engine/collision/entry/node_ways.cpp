@@ -75,67 +75,16 @@ struct NearPairs {
   /// Of which pairs apart_for() is not true.
   template <int kWidth>
   IMPETUS_INLINED std::uint64_t near_pairs() const {
-    using Numbers = typename Vectors<kWidth>::Numbers;
     using Bits = typename Vectors<kWidth>::Bits;
-    const Numbers none{};
-    const Numbers margin = none + margin_m;
-    const double square_of_time = time * time;
     std::uint64_t all = 0;
     for (int column = 0; column < block.columns; column += kWidth) {
-      const auto at_column = static_cast<std::size_t>(column);
-      Numbers bx;
-      Numbers by;
-      Numbers bz;
-      Numbers radius;
-      Numbers vx;
-      Numbers vy;
-      Numbers vz;
-      Numbers stray;
-      read(block.b.x + column, bx);
-      read(block.b.y + column, by);
-      read(block.b.z + column, bz);
-      read(block.b.radius_m + column, radius);
-      read(&ways.b.x[at_column], vx);
-      read(&ways.b.y[at_column], vy);
-      read(&ways.b.z[at_column], vz);
-      read(&ways.b.stray_m[at_column], stray);
+      const Columns<kWidth> columns(block.b, ways.b, column);
       Bits bits;
       std::memcpy(&bits, kBitOfLane + column, sizeof bits);
       Bits apart = bits ^ bits;
       for (int row = 0; row < block.rows; ++row) {
-        const auto at_row = static_cast<std::size_t>(row);
-        const Numbers dx = block.a.x[row] - bx;
-        const Numbers dy = block.a.y[row] - by;
-        const Numbers dz = block.a.z[row] - bz;
-        const Numbers ux = ways.a.x[at_row] - vx;
-        const Numbers uy = ways.a.y[at_row] - vy;
-        const Numbers uz = ways.a.z[at_row] - vz;
-        const Numbers square = dx * dx + (dy * dy + dz * dz);
-        const Numbers away = dx * ux + (dy * uy + dz * uz);
-        const Numbers speed2 = ux * ux + (uy * uy + uz * uz);
-        const Numbers radii = block.a.radius_m[row] + radius;
-        const Numbers sum =
-            radii + ((margin_m - hair_m) + square_of_time * (ways.a.stray_m[at_row] + stray));
-        const Numbers now = radii + margin;
-        const Numbers reach = sum > margin ? sum : margin;
-        const Numbers most = now > reach ? now : reach;
-        const Numbers reach2 = reach * reach;
-        const Numbers still_away = away + time * speed2;
-        // Negative where both signs are: GCC takes comparisons of lanes apart.
-        const Numbers too_near_now = most * most - square;
-        const Numbers too_near_then = reach2 - (square + time * (away + still_away));
-        const Numbers too_near_between = reach2 * speed2 - (square * speed2 - away * away);
-        Bits clear_now;
-        Bits clear_then;
-        Bits clear_between;
-        Bits nearing;
-        Bits nearing_then;
-        std::memcpy(&clear_now, &too_near_now, sizeof clear_now);
-        std::memcpy(&clear_then, &too_near_then, sizeof clear_then);
-        std::memcpy(&clear_between, &too_near_between, sizeof clear_between);
-        std::memcpy(&nearing, &away, sizeof nearing);
-        std::memcpy(&nearing_then, &still_away, sizeof nearing_then);
-        const Bits clear = clear_now & (~nearing | (nearing_then & clear_then) | clear_between);
+        Bits clear;
+        find_clear(row, columns, clear);
         apart |= (clear < 0) & bits;
         bits <<= kLanes;
       }
@@ -144,6 +93,75 @@ struct NearPairs {
       }
     }
     return block.all() & ~all;
+  }
+
+  /// Spheres of b side by side, and their ways.
+  template <int kWidth>
+  struct Columns {
+    using Numbers = typename Vectors<kWidth>::Numbers;
+
+    IMPETUS_INLINED Columns(const SphereLanes& spheres, const LaneWays& ways, int first) {
+      const auto place = static_cast<std::size_t>(first);
+      read(spheres.x + first, x);
+      read(spheres.y + first, y);
+      read(spheres.z + first, z);
+      read(spheres.radius_m + first, radius_m);
+      read(&ways.x[place], along_x);
+      read(&ways.y[place], along_y);
+      read(&ways.z[place], along_z);
+      read(&ways.stray_m[place], stray_m);
+    }
+
+    Numbers x;
+    Numbers y;
+    Numbers z;
+    Numbers radius_m;
+    Numbers along_x;
+    Numbers along_y;
+    Numbers along_z;
+    Numbers stray_m;
+  };
+
+  /// Makes negative what cannot touch the sphere of a. All is asked by signs: GCC takes comparisons
+  /// of lanes apart.
+  template <int kWidth>
+  IMPETUS_INLINED void find_clear(int row, const Columns<kWidth>& b,
+                                  typename Vectors<kWidth>::Bits& clear) const {
+    using Numbers = typename Vectors<kWidth>::Numbers;
+    using Bits = typename Vectors<kWidth>::Bits;
+    const auto place = static_cast<std::size_t>(row);
+    const Numbers none{};
+    const Numbers margin = none + margin_m;
+    const Numbers dx = block.a.x[row] - b.x;
+    const Numbers dy = block.a.y[row] - b.y;
+    const Numbers dz = block.a.z[row] - b.z;
+    const Numbers ux = ways.a.x[place] - b.along_x;
+    const Numbers uy = ways.a.y[place] - b.along_y;
+    const Numbers uz = ways.a.z[place] - b.along_z;
+    const Numbers square = dx * dx + (dy * dy + dz * dz);
+    const Numbers away = dx * ux + (dy * uy + dz * uz);
+    const Numbers speed2 = ux * ux + (uy * uy + uz * uz);
+    const Numbers radii = block.a.radius_m[row] + b.radius_m;
+    const Numbers sum =
+        radii + ((margin_m - hair_m) + (time * time) * (ways.a.stray_m[place] + b.stray_m));
+    const Numbers now = radii + margin;
+    const Numbers reach = sum > margin ? sum : margin;
+    const Numbers most = now > reach ? now : reach;
+    const Numbers reach2 = reach * reach;
+    const Numbers still_away = away + time * speed2;
+    const Numbers too_near_now = most * most - square;
+    const Numbers too_near_then = reach2 - (square + time * (away + still_away));
+    const Numbers too_near_between = reach2 * speed2 - (square * speed2 - away * away);
+    Bits nearing;
+    Bits nearing_then;
+    Bits clear_then;
+    Bits clear_between;
+    std::memcpy(&clear, &too_near_now, sizeof clear);
+    std::memcpy(&nearing, &away, sizeof nearing);
+    std::memcpy(&nearing_then, &still_away, sizeof nearing_then);
+    std::memcpy(&clear_then, &too_near_then, sizeof clear_then);
+    std::memcpy(&clear_between, &too_near_between, sizeof clear_between);
+    clear &= ~nearing | (nearing_then & clear_then) | clear_between;
   }
 };
 
