@@ -125,25 +125,25 @@ struct NearPairs {
   /// Makes negative what cannot touch the sphere of a. All is asked by signs: GCC takes comparisons
   /// of lanes apart.
   template <int kWidth>
-  IMPETUS_INLINED void find_clear(int row, const Columns<kWidth>& b,
+  IMPETUS_INLINED void find_clear(int row, const Columns<kWidth>& others,
                                   typename Vectors<kWidth>::Bits& clear) const {
     using Numbers = typename Vectors<kWidth>::Numbers;
     using Bits = typename Vectors<kWidth>::Bits;
     const auto place = static_cast<std::size_t>(row);
     const Numbers none{};
     const Numbers margin = none + margin_m;
-    const Numbers dx = block.a.x[row] - b.x;
-    const Numbers dy = block.a.y[row] - b.y;
-    const Numbers dz = block.a.z[row] - b.z;
-    const Numbers ux = ways.a.x[place] - b.along_x;
-    const Numbers uy = ways.a.y[place] - b.along_y;
-    const Numbers uz = ways.a.z[place] - b.along_z;
+    const Numbers dx = block.a.x[row] - others.x;
+    const Numbers dy = block.a.y[row] - others.y;
+    const Numbers dz = block.a.z[row] - others.z;
+    const Numbers ux = ways.a.x[place] - others.along_x;
+    const Numbers uy = ways.a.y[place] - others.along_y;
+    const Numbers uz = ways.a.z[place] - others.along_z;
     const Numbers square = dx * dx + (dy * dy + dz * dz);
     const Numbers away = dx * ux + (dy * uy + dz * uz);
     const Numbers speed2 = ux * ux + (uy * uy + uz * uz);
-    const Numbers radii = block.a.radius_m[row] + b.radius_m;
+    const Numbers radii = block.a.radius_m[row] + others.radius_m;
     const Numbers sum =
-        radii + ((margin_m - hair_m) + (time * time) * (ways.a.stray_m[place] + b.stray_m));
+        radii + ((margin_m - hair_m) + (time * time) * (ways.a.stray_m[place] + others.stray_m));
     const Numbers now = radii + margin;
     const Numbers reach = sum > margin ? sum : margin;
     const Numbers most = now > reach ? now : reach;
