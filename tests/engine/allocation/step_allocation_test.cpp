@@ -13,6 +13,10 @@ namespace impetus::step_allocation_test {
 
 constexpr std::uint64_t kSeed = 83;
 
+/// In the first of a crowd's rounds it gets as full as it ever will.
+constexpr int kRounds = 8;
+constexpr int kRoundsToFill = 6;
+
 /// The last step that allocated, of `steps`; -1 when none did.
 int last_step_that_allocates(World& world, int steps) {
   FixedWork unlimited(kUnlimitedTests);
@@ -37,7 +41,7 @@ int last_round_that_allocates(const WorldSettings& settings,
   world.share_work_with(std::move(workers));
   const std::vector<BodyState> start = world.states();
   int last = -1;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     world.mutable_states() = start;
     last = last_step_that_allocates(world, 30) >= 0 ? round : last;
   }
@@ -45,7 +49,7 @@ int last_round_that_allocates(const WorldSettings& settings,
 }
 
 TEST(StepAllocation, ACrowdOfEveryKindOfTreeAllocatesNothingOnceItWasAsFull) {
-  EXPECT_LT(last_round_that_allocates({}), 4);
+  EXPECT_LT(last_round_that_allocates({}), kRoundsToFill);
 }
 
 /// Two, of whom one waits for the other.
@@ -63,7 +67,7 @@ class TwoInTurn final : public Workers {
 
 TEST(StepAllocation, NorDoesOneThatIsShared) {
   const auto workers = std::make_shared<TwoInTurn>();
-  EXPECT_LT(last_round_that_allocates({}, workers), 4);
+  EXPECT_LT(last_round_that_allocates({}, workers), kRoundsToFill);
   EXPECT_GT(workers->asked, 0);
 }
 
@@ -72,14 +76,15 @@ TEST(StepAllocation, NorDoesAnyReduction) {
     WorldSettings settings;
     settings.contacts.reduction = make_reduction(name);
     settings.contacts.most_per_pair = 3;
-    EXPECT_LT(last_round_that_allocates(settings), 4) << name;
+    EXPECT_LT(last_round_that_allocates(settings), kRoundsToFill) << name;
   }
 }
 
 TEST(StepAllocation, NorDoesAnyScheduleOrResponse) {
   RandomStream random(kSeed, "settings");
   for (int trial = 0; trial < 12; ++trial) {
-    EXPECT_LT(last_round_that_allocates(random_settings(random)), 4) << "trial " << trial;
+    EXPECT_LT(last_round_that_allocates(random_settings(random)), kRoundsToFill)
+        << "trial " << trial;
   }
 }
 
