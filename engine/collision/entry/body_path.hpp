@@ -50,8 +50,8 @@ struct RelativeStretch {
   Vector3 velocity{Vector3::Zero()};  ///< of a against b (metres a step)
   double turn_a{0.0};                 ///< at most (radians a step)
   double turn_b{0.0};
-  /// How far from straight and steady that takes a point a metre from the centre of mass: at most
-  /// the second derivative of where it is (radians a step², near enough).
+  /// How far that is from straight and steady: at most the second derivative of where a point is
+  /// that lies a metre from the centre of mass (metres a step², for each metre).
   double bend_a{0.0};
   double bend_b{0.0};
 

@@ -13,8 +13,7 @@
 // most of what passes by is ruled out at once.
 //
 // within() and apart_for() are to the safe side by a margin far above rounding.
-// (first-order bounds of motion, as in Redon, Kim, Lin and Manocha 2004; Tang, Kim and Manocha
-// 2009)
+// (cf. the bounds of motion of Redon, Kim, Lin and Manocha 2004; Tang, Kim and Manocha 2009)
 // SPDX-License-Identifier: MIT
 #pragma once
 
