@@ -9,8 +9,8 @@
 namespace impetus::inline collision {
 namespace {
 
-/// Bodies, about where they turn and how fast.
-struct TurningBodies {
+/// Of two bodies: about where they turn, and how fast.
+struct TwoTurns {
   Vector3 centre_a;
   Vector3 centre_b;
   double turn_a;
@@ -48,7 +48,7 @@ IMPETUS_INLINED void find_turning(const SphereLanes& spheres, const Vector3& cen
 /// The turning of a block's spheres, and which of its pairs could touch.
 struct NearPairs {
   const SphereBlock& block;
-  const TurningBodies& bodies;
+  const TwoTurns& bodies;
   double time;
   double hair_m;
   double margin_m;
@@ -136,7 +136,7 @@ void DirectedSpeeds::place(const Pose& a, const Pose& b, double /*time*/) {
 
 std::uint64_t DirectedSpeeds::within(double time, double hair_m, const SphereBlock& block,
                                      BlockTurning& turning, LaneWidth width) const {
-  const TurningBodies bodies{centre_a_, centre_b_, turn_a_, turn_b_};
+  const TwoTurns bodies{centre_a_, centre_b_, turn_a_, turn_b_};
   const std::uint64_t near = in_lanes(
       width, NearPairs{block, bodies, time, hair_m, margin_m(time), time * velocity_, turning});
   return reaches_hold_ ? near : block.all();

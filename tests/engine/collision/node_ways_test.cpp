@@ -111,7 +111,8 @@ TEST(NodeWays, NothingIsRuledOutWhereRoundingCountsOrNumbersCannotBeSquared) {
   for (const Vector3& about : {Vector3(1e6, 0.0, 0.0), Vector3(1.0, 0.0, 0.0)}) {
     const BodyOfSpheres a(random, about);
     for (const double speed : {1.0, 1e200}) {
-      const BodyPath path_a{a.pose, {a.pose.position + Vector3(speed, 0.0, 0.0), {}}};
+      const BodyPath path_a{a.pose,
+                            {a.pose.position + Vector3(speed, 0.0, 0.0), a.pose.orientation}};
       const BodyPath path_b{b.pose, b.pose};
       NodeWays ways(path_a, path_b, a.reach_m, b.reach_m);
       ways.enter(stretches_of(path_a, path_b)[0]);
