@@ -11,6 +11,7 @@
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/volumes/rounded_box.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/depth_on_the_way.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 #include "tests/engine/shots.hpp"
 
@@ -147,23 +148,6 @@ TEST(BodyPath, APointStraysFromItsWayByNoMoreThanTheBend) {
     most = std::max(most, bound_m > 1e-6 ? (there - foreseen).norm() / bound_m : 0.0);
   }
   EXPECT_GT(most, 0.7);
-}
-
-/// How deep the finest nodes that the refinement reaches overlap at the moment; −1 when none do.
-double depth_at(const PairOnTheWay& pair, double time) {
-  pair.a.move_to(pose_at(pair.path_a, time));
-  pair.b.move_to(pose_at(pair.path_b, time));
-  PairRefinement refinement(pair.a, pair.b, pair.greatest_level);
-  while (!refinement.resolved()) {
-    refinement.refine_one_block();
-  }
-  double depth_m = -1.0;
-  for (const NodePair& nodes : refinement.overlapping()) {
-    const TouchPoint touch =
-        touch_of_nodes(pair.a, nodes.a, pair.b, nodes.b, Vector3(Vector3::UnitX()));
-    depth_m = std::max(depth_m, touch.depth_m);
-  }
-  return depth_m;
 }
 
 /// Whether the pair stops where it first touches by no more than a hair, by the depths at many

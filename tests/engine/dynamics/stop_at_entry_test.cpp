@@ -7,6 +7,7 @@
 
 #include "engine/collision/broad_phase.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/depth_on_the_way.hpp"
 #include "tests/engine/shots.hpp"
 
 namespace impetus::stop_at_entry_test {
@@ -68,23 +69,6 @@ struct Crowd {
            gravity.dot(state.pose.position) / models[body].inverse_mass;
   }
 };
-
-/// How deep the finest nodes that the refinement reaches overlap at the moment; −1 when none do.
-double depth_at(const PairOnTheWay& pair, double time) {
-  pair.a.move_to(pose_at(pair.path_a, time));
-  pair.b.move_to(pose_at(pair.path_b, time));
-  PairRefinement refinement(pair.a, pair.b, pair.greatest_level);
-  while (!refinement.resolved()) {
-    refinement.refine_one_block();
-  }
-  double depth_m = -1.0;
-  for (const NodePair& nodes : refinement.overlapping()) {
-    const TouchPoint touch =
-        touch_of_nodes(pair.a, nodes.a, pair.b, nodes.b, Vector3(Vector3::UnitX()));
-    depth_m = std::max(depth_m, touch.depth_m);
-  }
-  return depth_m;
-}
 
 // A hair deep, an eighth of a slow way, when they are stopped, and a quarter that is not worth a
 // stop.
