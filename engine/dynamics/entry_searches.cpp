@@ -70,9 +70,6 @@ BodyPath EntrySearches::way_of(std::size_t body, double share) const {
   way.end = states_[body].pose;
   way.begin = step_.dt_s > 0.0 ? waiting_s / step_.dt_s : share;
   way.stop = share;
-  if (way.begin < way.stop) {
-    way.motion = motion_on(way);
-  }
   return way;
 }
 

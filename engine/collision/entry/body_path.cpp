@@ -11,6 +11,10 @@ bool moves_between(const BodyPath& path, double begin, double end) {
   return path.begin <= begin && end <= path.stop;
 }
 
+Vector3 velocity_of(const BodyPath& path) {
+  return (path.end.position - path.start.position) / (path.stop - path.begin);
+}
+
 /// Of the whole way, as if it were all turned at the fastest (radians).
 double fastest_turn(const BodyPath& path) {
   const Quaternion turn = path.start.orientation.conjugate() * path.end.orientation;
@@ -18,20 +22,14 @@ double fastest_turn(const BodyPath& path) {
   return sine > 0.0 ? 4.0 * sine / (1.0 + std::abs(turn.w())) : 0.0;
 }
 
-PathMotion known_motion(const BodyPath& path) {
-  return path.motion ? *path.motion : motion_on(path);
+double turning_of(const BodyPath& path) { return fastest_turn(path) / (path.stop - path.begin); }
+
+/// Of a point on its arc, by its turning and by how that changes: for x = tan(Θ/4), 16 x² + 16 x³.
+double bend_of(const BodyPath& path, double turning) {
+  return turning * turning * (1.0 + 0.25 * turning * (path.stop - path.begin));
 }
 
 }  // namespace
-
-/// The bend is that of a point on its arc, by its turning and by how that changes: for
-/// x = tan(Θ/4), 16 x² + 16 x³.
-PathMotion motion_on(const BodyPath& path) {
-  const double length = path.stop - path.begin;
-  const double turn = fastest_turn(path) / length;
-  return {(path.end.position - path.start.position) / length, turn,
-          turn * turn * (1.0 + 0.25 * turn * length)};
-}
 
 Pose pose_at(const BodyPath& path, double time) {
   if (time >= path.stop) {
@@ -83,16 +81,14 @@ Stretches stretches_of(const BodyPath& a, const BodyPath& b) {
       continue;
     }
     if (a_moves) {
-      const PathMotion motion = known_motion(a);
-      stretch.velocity += motion.velocity;
-      stretch.turn_a = motion.turn;
-      stretch.bend_a = motion.bend;
+      stretch.velocity += velocity_of(a);
+      stretch.turn_a = turning_of(a);
+      stretch.bend_a = bend_of(a, stretch.turn_a);
     }
     if (b_moves) {
-      const PathMotion motion = known_motion(b);
-      stretch.velocity -= motion.velocity;
-      stretch.turn_b = motion.turn;
-      stretch.bend_b = motion.bend;
+      stretch.velocity -= velocity_of(b);
+      stretch.turn_b = turning_of(b);
+      stretch.bend_b = bend_of(b, stretch.turn_b);
     }
     stretches.add(stretch);
   }

@@ -11,21 +11,11 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 
 #include "engine/numerics/few.hpp"
 #include "engine/numerics/vector.hpp"
 
 namespace impetus::inline collision {
-
-/// How a body moves on its way, while it does.
-struct PathMotion {
-  Vector3 velocity;  ///< metres a step
-  double turn;       ///< at most (radians a step)
-  /// How far that is from straight and steady: at most the second derivative of where a point is
-  /// that lies a metre from the centre of mass (metres a step², for each metre).
-  double bend;
-};
 
 /// Where a body begins and ends its way, and between which shares of the step it moves.
 struct BodyPath {
@@ -33,11 +23,7 @@ struct BodyPath {
   Pose end;
   double begin{0.0};
   double stop{1.0};
-  std::optional<PathMotion> motion{};  ///< motion_on() it, where many are to ask for that
 };
-
-/// Precondition: it moves.
-PathMotion motion_on(const BodyPath& path);
 
 /// Where the body is at share `time` of the step.
 Pose pose_at(const BodyPath& path, double time);
@@ -64,7 +50,9 @@ struct RelativeStretch {
   Vector3 velocity{Vector3::Zero()};  ///< of a against b (metres a step)
   double turn_a{0.0};                 ///< at most (radians a step)
   double turn_b{0.0};
-  double bend_a{0.0};  ///< PathMotion::bend
+  /// How far that is from straight and steady: at most the second derivative of where a point is
+  /// that lies a metre from the centre of mass (metres a step², for each metre).
+  double bend_a{0.0};
   double bend_b{0.0};
 
   /// At most how far points of the bodies come towards each other (metres a step): those no
