@@ -45,11 +45,11 @@ std::vector<std::string> cut_names(const json& document) {
 
 OrderedJson number_schema(double minimum, double maximum, const std::string& words) {
   OrderedJson schema = words.empty() ? OrderedJson::object() : OrderedJson{{"description", words}};
-  schema.update(object_form("", {{"value", number({minimum, maximum}), true},
-                                 {"unit", any_text(), true},
-                                 {"source", text(), true},
-                                 {"note", any_text(), false}})
-                    .schema);
+  const Rows<double> rows{unread<double>("value", number({minimum, maximum})).in_every_file(),
+                          unread<double>("unit", any_text()).in_every_file(),
+                          unread<double>("source", text()).in_every_file(),
+                          unread<double>("note", any_text())};
+  schema.update(rows.form("").schema);
   return schema;
 }
 

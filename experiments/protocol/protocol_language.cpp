@@ -62,19 +62,17 @@ void add_letters_of_value(const json& value, std::set<std::uint16_t>& letters) {
 
 }  // namespace
 
-std::vector<Row<Protocol>> language_rows() {
+Rows<Protocol> language_rows() {
   const Form language{{{"type", {"string", "object"}}}};
   return {
       unread<Protocol>(
-          "language",
-          described("Of all that participants read and the protocol does not say, keys to "
-                    "press included: one that comes with the program (ar, de, en, es, fr, pt, zh), "
-                    "or a file of a lab's own, seen from this one; en when left out.",
-                    language)),
-      unread<Protocol>("texts",
-                       described("In place of the language's: by the keys of its file. \"\" "
-                                 "switches a text off.",
-                                 by_name(any_text())))};
+          "language", language,
+          "Of all that participants read and the protocol does not say, keys to press included: "
+          "one that comes with the program (ar, de, en, es, fr, pt, zh), or a file of a lab's own, "
+          "seen from this one; en when left out."),
+      unread<Protocol>(
+          "texts", by_name(any_text()),
+          "In place of the language's: by the keys of its file. \"\" switches a text off.")};
 }
 
 void hold_language(JsonDocument& protocol, const std::filesystem::path& path) {

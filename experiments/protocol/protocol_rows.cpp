@@ -169,7 +169,7 @@ Kind<TrainingRule> training_rule_kind() {
                 "After these the experimenter decides.")});
 }
 
-std::vector<Row<P>> design_rows() {
+Rows<P> design_rows() {
   using D = Design;
   return {required("factors", &P::design, &D::factors, list(factor_kind(), kSome)),
           required("repetitions", &P::design, &D::repetitions, count(1, 1000)),
@@ -188,20 +188,15 @@ std::vector<Row<P>> design_rows() {
 
 // ---------------------------------------------------------------- the session
 
-std::vector<Row<Text>> text_rows() {
+Rows<Text> text_rows() {
   return {required("title", &Text::title, text()),
           required("paragraphs", &Text::paragraphs, list(text(), {}))};
 }
 
 /// Title and paragraphs between other rows of what they belong to.
 template <typename Struct>
-std::vector<Row<Struct>> rows_with_text(std::vector<Row<Struct>> rows, Text Struct::*page,
-                                        const std::vector<Row<Struct>>& more) {
-  for (const Row<Text>& each : text_rows()) {
-    rows.push_back(row_within(page, each));
-  }
-  rows.insert(rows.end(), more.begin(), more.end());
-  return rows;
+Rows<Struct> rows_with_text(Rows<Struct> rows, Text Struct::*page, const Rows<Struct>& more) {
+  return rows.append_within(page, text_rows()).append(more);
 }
 
 Kind<Text> page_kind() { return defined("text", object<Text>("", text_rows())); }
@@ -302,7 +297,7 @@ Row<S> timing_row() {
 
 const Kind<P>& protocol_kind() {
   static const Kind<P> kind = [] {
-    std::vector<Row<P>> rows{
+    Rows<P> rows{
         required("scene", &P::scene_file, text(),
                  "The scene's file, seen from this one, within the folder above this one's; links "
                  "are followed."),
@@ -314,14 +309,11 @@ const Kind<P>& protocol_kind() {
             "Values of the scene that are computed before the plan is stored, by simulation, and "
             "kept with every trial; protocol and scene alone decide them."),
         row("exclude_when", &P::exclude_when, exclusion_rules_kind())};
-    const std::vector<Row<P>> language = language_rows();
-    rows.insert(rows.end(), language.begin(), language.end());
-    std::vector<Row<S>> script = question_rows();
-    script.insert(script.end(),
-                  {question_order_row(), timing_row(), gaze_row(), markers_row(), session_row()});
-    for (const Row<S>& each : script) {
-      rows.push_back(row_within(&P::script, each));
-    }
+    const Rows<S> instruments{question_order_row(), timing_row(), gaze_row(), markers_row(),
+                              session_row()};
+    rows.append(language_rows())
+        .append_within(&P::script, question_rows())
+        .append_within(&P::script, instruments);
     return object<P>(
         "", rows_of_file<P>(rows, {required("name", &P::name, text_like("^[a-z][a-z0-9-]*$"),
                                             "Short and stable: the order of trials and the "

@@ -25,7 +25,7 @@ constexpr const char* kSpinPointer = "/imposed/random_spin";
 
 constexpr const char* kEqualLists = "equal-lists";
 
-std::vector<Row<SolveEntry>> equal_lists_rows() {
+Rows<SolveEntry> equal_lists_rows() {
   using E = SolveEntry;
   return {row("share", &E::share, number({0, 1}), "Of the first list."),
           row("within", &E::within, number(above(0, 1)), "The share may miss by so much."),
@@ -33,7 +33,7 @@ std::vector<Row<SolveEntry>> equal_lists_rows() {
               "Simulated time of the pilot, whose random start is its own.")};
 }
 
-std::vector<Row<SolveEntry>> rows_of_kind(const std::string& kind) {
+Rows<SolveEntry> rows_of_kind(const std::string& kind) {
   return kind == kEqualLists ? equal_lists_rows() : spin_limits_rows();
 }
 
@@ -205,7 +205,7 @@ std::vector<SolvedValue> solve_one(const SolveTask& task, ShapeLibrary& shapes,
 
 Kind<SolveEntry> solve_kind() {
   using E = SolveEntry;
-  std::vector<Row<E>> rows{
+  Rows<E> rows{
       required("kind", &E::kind, one_of({"random-spin-limits", kEqualLists}),
                "random-spin-limits: the limits of /imposed/random_spin, percentiles of the changes "
                "of angular velocity in accurate collisions of the same bodies from starts that are "
@@ -216,10 +216,7 @@ Kind<SolveEntry> solve_kind() {
       row("for_each", &E::for_each, list(any_text(), {0, -1, /*is_set=*/true}),
           "Factors at each of whose levels it is solved anew; the others stay as they are in the "
           "scene.")};
-  for (const auto& own : {spin_limits_rows(), equal_lists_rows()}) {
-    rows.insert(rows.end(), own.begin(), own.end());
-  }
-  return object<E>("", rows);
+  return object<E>("", rows.append(spin_limits_rows()).append(equal_lists_rows()));
 }
 
 void check_solve(const Protocol& protocol) {

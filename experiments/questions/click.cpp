@@ -16,10 +16,9 @@ class ClickTask final : public Question {
     return block<ClickTask>(
         "Clicks (mouse, or the space bar) during the stimulus, all kept raw.",
         {unread<ClickTask>(
-             "merge_within_ms",
-             described("For the analysis: collisions of one kind closer than this are one event.",
-                       number({0, 10000})),
-             /*is_required=*/true),
+             "merge_within_ms", number({0, 10000}),
+             "For the analysis: collisions of one kind closer than this are one event.")
+             .in_every_file(),
          row("first_ends", &ClickTask::first_ends_, flag(),
              "The stimulus is over with the first, and when it comes is what counts; false when "
              "left out.")});

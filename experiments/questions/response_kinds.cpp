@@ -47,13 +47,13 @@ const ResponseKind* find_kind(const std::string& name) {
   return found == response_kinds().end() ? nullptr : &found->get();
 }
 
-std::vector<Row<Script>> question_rows() {
-  std::vector<Row<Script>> rows;
+Rows<Script> question_rows() {
+  Rows<Script> rows;
   for (const ResponseKind& kind : response_kinds()) {
-    rows.push_back({kind.protocol_key, kind.block, false,
-                    [read = kind.block.read](const nlohmann::json& block, Script& script) {
-                      script.asked.push_back(read(block));
-                    }});
+    rows.append({kind.protocol_key, kind.block, "",
+                 [read = kind.block.read](const nlohmann::json& block, Script& script) {
+                   script.asked.push_back(read(block));
+                 }});
   }
   return rows;
 }

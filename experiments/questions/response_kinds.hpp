@@ -146,15 +146,14 @@ std::string list_keys(const std::function<bool(const ResponseKind&)>& is_meant);
 const ResponseKind* find_kind(const std::string& name);
 
 /// The blocks of all kinds in a protocol, read in the order in which they are asked.
-std::vector<Row<Script>> question_rows();
+Rows<Script> question_rows();
 
 /// A kind's block, which becomes a question of the class that is its struct.
 template <typename Asked>
-Kind<std::shared_ptr<const Question>> block(const std::string& sentence,
-                                            const std::vector<Row<Asked>>& rows) {
-  return {object_form(sentence, rows), [rows](const nlohmann::json& value) {
+Kind<std::shared_ptr<const Question>> block(const std::string& sentence, const Rows<Asked>& rows) {
+  return {rows.form(sentence), [rows](const nlohmann::json& value) {
             auto question = std::make_shared<Asked>();
-            read_rows(rows, value, *question);
+            rows.read(value, question.get());
             return question;
           }};
 }

@@ -71,7 +71,7 @@ Row<ScheduleSettings> limits_row(const std::string& rule) {
   const ListLimits& said = *make_list_rule(rule)->limits();
   const Kind<std::vector<double>> limits =
       list(number({said.least, said.most}), {0, kMostLists - 1});
-  return {rule, described(std::string(said.words), limits), false,
+  return {rule, limits, said.words,
           [rule, read = limits.read](const nlohmann::json& value, ScheduleSettings& into) {
             into.limits[rule] = read(value);
           }};
@@ -82,7 +82,7 @@ Kind<ScheduleSettings> schedule_kind() {
   std::vector<std::string> schedulers = texts(metric_names());
   schedulers.emplace_back(kRegionScheduler);
   std::sort(schedulers.begin(), schedulers.end());
-  std::vector<Row<S>> rows{
+  Rows<S> rows{
       required("scheduler", &S::scheduler, one_of(schedulers),
                "What decides a pair's list: a metric against thresholds, or, of region, whether "
                "it lies inside. " +
@@ -115,7 +115,7 @@ Kind<ScheduleSettings> schedule_kind() {
       required("lists", &S::lists, list(list_kind(), {1, kMostLists}),
                "From high priority to low; the scheduler region takes two, inside and outside.")};
   for (const std::string& rule : limited_list_rule_names()) {
-    rows.push_back(limits_row(rule));
+    rows.append(limits_row(rule));
   }
   return object<S>(
       "Which collisions are refined first, and how deep. Left out: one list, nearest first, to the "
@@ -191,7 +191,7 @@ Kind<MaterialPair> material_pair_kind() {
                         required("restitution", &M::restitution, number({0, 1}))});
 }
 
-std::vector<Row<EngineSettings>> rows_of_contacts() {
+Rows<EngineSettings> rows_of_contacts() {
   using E = EngineSettings;
   using W = WorldSettings;
   return {
@@ -239,7 +239,7 @@ std::vector<Row<EngineSettings>> rows_of_contacts() {
           "Of every body that can move; none when left out. y is up.")};
 }
 
-std::vector<Row<EngineSettings>> rows_of_detail() {
+Rows<EngineSettings> rows_of_detail() {
   using E = EngineSettings;
   return {row("tree_depth", &E::tree_depth, whole<int>({0, 6}),
               "Levels of a body's volume tree beyond its root; a sphere needs none, and a study "
@@ -262,11 +262,8 @@ EngineSettings::EngineSettings(const nlohmann::json& valid)
 
 const Kind<EngineSettings>& engine_kind() {
   static const Kind<EngineSettings> kind = [] {
-    std::vector<Row<EngineSettings>> rows = rows_of_contacts();
-    for (const Row<EngineSettings>& each : rows_of_detail()) {
-      rows.push_back(each);
-    }
-    return object<EngineSettings>("How the world is stepped.", rows);
+    Rows<EngineSettings> rows = rows_of_contacts();
+    return object<EngineSettings>("How the world is stepped.", rows.append(rows_of_detail()));
   }();
   return kind;
 }

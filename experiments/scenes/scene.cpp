@@ -89,7 +89,7 @@ Kind<BodySettings> body_kind() {
 }
 
 /// How fast a crowd moves, and where it starts.
-std::vector<Row<CrowdSettings>> rows_of_start() {
+Rows<CrowdSettings> rows_of_start() {
   using C = CrowdSettings;
   return {required("speed_deg_s", &C::speed_deg_s, number({0, 1000})),
           required("spin_deg_s", &C::spin_deg_s, number({0, 10000})),
@@ -97,20 +97,14 @@ std::vector<Row<CrowdSettings>> rows_of_start() {
               "Another number, another random start; 1 when left out.")};
 }
 
-template <typename Crowd>
-void append_start(std::vector<Row<Crowd>>& rows) {
-  const auto start = rows_of_start();
-  rows.insert(rows.end(), start.begin(), start.end());
-}
-
 Kind<BodyCrowd> crowd_kind() {
   using C = BodyCrowd;
-  std::vector<Row<C>> rows{required("count", &C::count, whole<std::size_t>({1, 1000})),
-                           required("shape", &C::shape, scene_shape_kind()),
-                           required("density_kg_m3", &C::density_kg_m3, density_kind()),
-                           row("material", &C::material, material_kind()),
-                           required("colours", &C::colours, colours_kind(), "Taken in turn.")};
-  append_start(rows);
+  Rows<C> rows{required("count", &C::count, whole<std::size_t>({1, 1000})),
+               required("shape", &C::shape, scene_shape_kind()),
+               required("density_kg_m3", &C::density_kg_m3, density_kind()),
+               row("material", &C::material, material_kind()),
+               required("colours", &C::colours, colours_kind(), "Taken in turn.")};
+  rows.append_base(rows_of_start());
   return object<C>(
       "Bodies alike but for their colour, at random places within the enclosure, with "
       "random directions and orientations; the same for every participant.",
@@ -176,16 +170,16 @@ Kind<NamedFigure> named_figure_kind() {
 Kind<FigureCrowd> figure_crowd_kind() {
   using C = FigureCrowd;
   using M = FigureMaking;
-  std::vector<Row<C>> rows{required("figure", &C::making, &M::figure, figure_file_kind()),
-                           required("count", &C::count, whole<std::size_t>({1, 100})),
-                           required("height_deg", &C::making, &M::height_deg, figure_height_kind()),
-                           required("density_kg_m3", &C::density_kg_m3, density_kind()),
-                           row("material", &C::material, material_kind()),
-                           required("colours", &C::colours, colours_kind(),
-                                    "Taken in turn, one for all parts of a figure."),
-                           row("coarsest", &C::making, &M::sphere_first, figure_coarsest_kind())};
-  append_start(rows);
-  rows.push_back(row("self_collision", &C::making, &M::self_collision, self_collision_kind()));
+  Rows<C> rows{required("figure", &C::making, &M::figure, figure_file_kind()),
+               required("count", &C::count, whole<std::size_t>({1, 100})),
+               required("height_deg", &C::making, &M::height_deg, figure_height_kind()),
+               required("density_kg_m3", &C::density_kg_m3, density_kind()),
+               row("material", &C::material, material_kind()),
+               required("colours", &C::colours, colours_kind(),
+                        "Taken in turn, one for all parts of a figure."),
+               row("coarsest", &C::making, &M::sphere_first, figure_coarsest_kind())};
+  rows.append_base(rows_of_start());
+  rows.append(row("self_collision", &C::making, &M::self_collision, self_collision_kind()));
   return object<C>(
       "Figures alike but for their colour, that move freely: at random places within the "
       "enclosure, with random directions, orientations and joint angles; the same for every "
@@ -253,44 +247,37 @@ Kind<FigureSettings> figure_content_kind() {
   return {{OrderedJson{{"type", "object"}}}, figure_kind().read};
 }
 
-/// A scene's rows, and those of what of it is shown.
-std::vector<Row<Scene>> with_showing(std::vector<Row<Scene>> rows) {
-  for (const Row<ShowingSettings>& each : showing_rows()) {
-    rows.push_back(row_within(&Scene::showing, each));
-  }
-  return rows;
-}
-
 const Kind<Scene>& scene_kind() {
   using S = Scene;
   static const Kind<S> kind = object<S>(
-      "", rows_of_file<S>(with_showing(
-              {required("engine", &S::engine, engine_kind()),
-               row("meshes", &S::meshes, by_name(mesh_kind()),
-                   "The content of mesh files, by file: put in when a scene is read, so that a "
-                   "recording holds all that it needs. A file that is here is not read."),
-               required("viewer", &S::viewer, viewer_kind()), row("plane", &S::plane, plane_kind()),
-               row("appearance", &S::appearance, appearance_kind()),
-               row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
-                   "Named one by one: two that meet, or any number with positions of their own."),
-               row("crowd", &S::crowd, crowd_kind()),
-               row("figures", &S::figures, list(named_figure_kind(), {1, 100}),
-                   "Articulated figures, beside bodies or alone: each part is a body, called "
-                   "FIGURE/PART."),
-               row("figure_crowd", &S::figure_crowd, figure_crowd_kind()),
-               row("figure_files", &S::figure_files, by_name(figure_content_kind()),
-                   "The content of figure files, by file: put in when a scene is read, so that a "
-                   "recording holds all that it needs. A file that is here is not read."),
-               row("enclosure", &S::enclosure, enclosure_kind()),
-               row("duration_s", &S::duration_s, number(above(0, 3600)),
-                   "Of the scene from where it begins to move, where nothing meets."),
-               row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
-               row("launch", &S::launch, launch_kind()),
-               row("distractors", &S::distractors, distractors_kind()),
-               row("imposed", &S::imposed, imposed_kind()), row("sound", &S::sound, sound_kind()),
-               row("sound_files", &S::sound_files, by_name(sound_content_kind()),
-                   "The content of sound files, by file: put in when a scene is read, so that a "
-                   "recording holds all that it needs. A file that is here is not read.")})));
+      "", rows_of_file<S>(Rows<S>{
+              required("engine", &S::engine, engine_kind()),
+              row("meshes", &S::meshes, by_name(mesh_kind()),
+                  "The content of mesh files, by file: put in when a scene is read, so that a "
+                  "recording holds all that it needs. A file that is here is not read."),
+              required("viewer", &S::viewer, viewer_kind()), row("plane", &S::plane, plane_kind()),
+              row("appearance", &S::appearance, appearance_kind()),
+              row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
+                  "Named one by one: two that meet, or any number with positions of their own."),
+              row("crowd", &S::crowd, crowd_kind()),
+              row("figures", &S::figures, list(named_figure_kind(), {1, 100}),
+                  "Articulated figures, beside bodies or alone: each part is a body, called "
+                  "FIGURE/PART."),
+              row("figure_crowd", &S::figure_crowd, figure_crowd_kind()),
+              row("figure_files", &S::figure_files, by_name(figure_content_kind()),
+                  "The content of figure files, by file: put in when a scene is read, so that a "
+                  "recording holds all that it needs. A file that is here is not read."),
+              row("enclosure", &S::enclosure, enclosure_kind()),
+              row("duration_s", &S::duration_s, number(above(0, 3600)),
+                  "Of the scene from where it begins to move, where nothing meets."),
+              row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
+              row("launch", &S::launch, launch_kind()),
+              row("distractors", &S::distractors, distractors_kind()),
+              row("imposed", &S::imposed, imposed_kind()), row("sound", &S::sound, sound_kind()),
+              row("sound_files", &S::sound_files, by_name(sound_content_kind()),
+                  "The content of sound files, by file: put in when a scene is read, so that a "
+                  "recording holds all that it needs. A file that is here is not read.")}
+                              .append_within(&S::showing, showing_rows())));
   return kind;
 }
 

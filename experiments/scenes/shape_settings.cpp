@@ -64,11 +64,10 @@ Kind<OutlineCorners> corners_kind(double most) {
 
 /// A prism's outline said in one unit.
 Row<S> outline_row(const std::string& suffix, double most, bool S::*has_unit) {
-  return {kOutline + suffix,
-          described("Of a prism: the corners of its section, to the right and up, one after the "
-                    "other. The body's place is that of its centre of mass.",
-                    corners_kind(most)),
-          false, [has_unit, read = corners_kind(most).read](const nlohmann::json& value, S& shape) {
+  return {kOutline + suffix, corners_kind(most),
+          "Of a prism: the corners of its section, to the right and up, one after the other. The "
+          "body's place is that of its centre of mass.",
+          [has_unit, read = corners_kind(most).read](const nlohmann::json& value, S& shape) {
             shape.outline = read(value);
             shape.*has_unit = true;
           }};
@@ -79,8 +78,8 @@ Row<S> measure_row(const ShapeMeasure& measure, const std::string& suffix, const
                    bool S::*has_unit) {
   const bool in_px = suffix == "_px";
   return {
-      measure.name + suffix,
-      described(in_px ? "The same in pixels of the scene's plane." : measure.meaning, kind), false,
+      measure.name + suffix, kind,
+      in_px ? "The same in pixels of the scene's plane." : measure.meaning,
       [place = measure.place, has_unit, read = kind.read](const nlohmann::json& value, S& shape) {
         shape.*place = read(value);
         shape.*has_unit = true;
@@ -272,47 +271,46 @@ ShapeSettings scaled(ShapeSettings shape, double factor) {
 }
 
 Kind<ShapeSettings> scene_shape_kind() {
-  std::vector<Row<S>> rows{
+  Rows<S> rows{
       required("kind", &S::kind, kind_of_kind()),
       row("file", &S::file, text(),
           "Of a mesh: an OBJ, PLY, STL, OFF or glTF file of a closed surface, seen from the "
           "scene's folder and within it.")};
   for (const ShapeMeasure& each : shape_measures()) {
-    rows.push_back(measure_row(each, "_deg", number(above(0, 45)), &S::has_deg));
+    rows.append(measure_row(each, "_deg", number(above(0, 45)), &S::has_deg));
   }
   for (const ShapeMeasure& each : shape_measures()) {
-    rows.push_back(measure_row(each, "_px", number(above(0, 1e5)), &S::has_px));
+    rows.append(measure_row(each, "_px", number(above(0, 1e5)), &S::has_px));
   }
-  rows.push_back(outline_row("_deg", 45.0, &S::has_deg));
-  rows.push_back(outline_row("_px", 1e5, &S::has_px));
-  rows.push_back(
+  rows.append(outline_row("_deg", 45.0, &S::has_deg));
+  rows.append(outline_row("_px", 1e5, &S::has_px));
+  rows.append(
       row("resolution", &S::resolution, whole<int>({4, 12}),
           "Sides of a torus' (10) or a knot's (8) tube; a quarter of the grid's cells along a "
           "creature (4); of a swept sphere, that of 20 or so sides (4) to 84 (12). Triangles grow "
           "with its square."));
-  rows.push_back(row("coarsest", &S::sphere_first,
-                     choice<bool>({{"volume", false}, {"sphere", true}}),
-                     "What a swept sphere is at level 0 of its tree. volume, when left out: "
-                     "exactly what is swept. sphere: the sphere about it; the volume is level 1."));
-  rows.push_back(row("deeper", &S::deeper, flag(),
-                     "Of a swept sphere: below the volume its tree has the levels of the engine's "
-                     "kind of tree, too, to tree_depth; false when left out."));
+  rows.append(row("coarsest", &S::sphere_first, choice<bool>({{"volume", false}, {"sphere", true}}),
+                  "What a swept sphere is at level 0 of its tree. volume, when left out: "
+                  "exactly what is swept. sphere: the sphere about it; the volume is level 1."));
+  rows.append(row("deeper", &S::deeper, flag(),
+                  "Of a swept sphere: below the volume its tree has the levels of the engine's "
+                  "kind of tree, too, to tree_depth; false when left out."));
   return defined("shape", object<S>("", rows));
 }
 
 Kind<ShapeSettings> figure_shape_kind() {
   const Kind<double> measure = defined("measure", number(above(0, 10)));
-  std::vector<Row<S>> rows{
+  Rows<S> rows{
       required("kind", &S::kind, kind_of_kind()),
       row("file", &S::file, text(), "Of a mesh, seen from the scene's folder and within it.")};
   for (const ShapeMeasure& each : shape_measures()) {
-    rows.push_back(row(each.name + std::string("_share"), each.place, measure));
+    rows.append(row(each.name + std::string("_share"), each.place, measure));
   }
-  rows.push_back(row(kOutline + "_share", &S::outline, corners_kind(10.0)));
-  rows.push_back(row("resolution", &S::resolution, whole<int>({4, 12})));
-  rows.push_back(
+  rows.append(row(kOutline + "_share", &S::outline, corners_kind(10.0)));
+  rows.append(row("resolution", &S::resolution, whole<int>({4, 12})));
+  rows.append(
       row("coarsest", &S::sphere_first, choice<bool>({{"volume", false}, {"sphere", true}})));
-  rows.push_back(row("deeper", &S::deeper, flag()));
+  rows.append(row("deeper", &S::deeper, flag()));
   return defined("shape", object<S>("", rows),
                  "As in scenes, its measures shares of the figure's height.");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/settings/setting_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace impetus::inline settings {
@@ -67,6 +68,11 @@ Kind<Vector3> vector(NumberRange range) {
           }};
 }
 
+std::size_t place_among(const std::vector<std::string>& words, const json& value) {
+  const auto& word = value.get_ref<const std::string&>();
+  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 Form list_form(const Form& item, ListLength length) {
   Form form{{{"type", "array"}}, item.definitions};
   if (length.least > 0) {
@@ -101,11 +107,23 @@ Form defined_form(const std::string& name, Form form, const std::string& sentenc
   return form;
 }
 
-Form object_form(const std::string& sentence, const std::vector<KeyForm>& keys) {
+AnyRow::AnyRow(std::string_view key_, const Form& form_, std::string_view sentence, Read read_)
+    : key(key_), form(described(std::string(sentence), form_)), read(std::move(read_)) {}
+
+AnyRow row_at(std::ptrdiff_t place, AnyRow row) {
+  if (row.read) {
+    row.read = [place, read = row.read](const json& value, void* whole) {
+      read(value, static_cast<char*>(whole) + place);
+    };
+  }
+  return row;
+}
+
+Form AnyRows::form(const std::string& sentence) const {
   Form form{{{"type", "object"}, {"additionalProperties", false}}};
   OrderedJson required = OrderedJson::array();
   OrderedJson properties = OrderedJson::object();
-  for (const KeyForm& each : keys) {
+  for (const AnyRow& each : rows_) {
     if (each.is_required) {
       required.push_back(each.key);
     }
@@ -117,6 +135,23 @@ Form object_form(const std::string& sentence, const std::vector<KeyForm>& keys) 
   }
   form.schema["properties"] = properties;
   return described(sentence, form);
+}
+
+void AnyRows::read(const json& value, void* into) const {
+  for (const AnyRow& each : rows_) {
+    const auto found = value.find(each.key);
+    if (each.read && found != value.end()) {
+      each.read(*found, into);
+    }
+  }
+}
+
+void AnyRows::append_row(const AnyRow& row) { rows_.push_back(row); }
+
+void AnyRows::append_rows(const AnyRows& rows, std::ptrdiff_t place) {
+  for (const AnyRow& each : rows.rows_) {
+    rows_.push_back(row_at(place, each));
+  }
 }
 
 OrderedJson file_schema(const std::string& title, const std::string& sentence, const Form& object) {

@@ -13,11 +13,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,6 +75,9 @@ Kind<Integer> whole(NumberRange range) {
   return {whole_form(range), [](const nlohmann::json& value) { return value.get<Integer>(); }};
 }
 
+/// Where among the words a value is that is one of them.
+std::size_t place_among(const std::vector<std::string>& words, const nlohmann::json& value);
+
 /// What words in a file stand for, in the order in which messages list them.
 template <typename T>
 using Names = std::vector<std::pair<std::string, T>>;
@@ -79,13 +85,11 @@ using Names = std::vector<std::pair<std::string, T>>;
 template <typename T>
 Kind<T> choice(const Names<T>& names) {
   std::vector<std::string> words;
-  std::map<std::string, T> meanings;
   for (const auto& [word, meaning] : names) {
     words.push_back(word);
-    meanings.emplace(word, meaning);
   }
-  return {one_of(words), [meanings](const nlohmann::json& value) {
-            return meanings.at(value.get_ref<const std::string&>());
+  return {one_of(words), [words, names](const nlohmann::json& value) {
+            return names.at(place_among(words, value)).second;
           }};
 }
 
@@ -156,19 +160,64 @@ Kind<T> defined(const std::string& name, const Kind<T>& kind, const std::string&
   return {defined_form(name, kind, sentence), kind.read};
 }
 
-/// One setting of a Struct.
-template <typename Struct>
-struct Row {
+/// One setting, of whatever struct: Row says of which. What rows have in common is compiled once,
+/// not for every struct: it would be a third of what a compiler does with a file of rows.
+struct AnyRow {
+  using Read = std::function<void(const nlohmann::json&, void* into)>;
+
+  AnyRow(std::string_view key, const Form& form, std::string_view sentence, Read read);
+
   std::string key;
   Form form;
   bool is_required{false};
-  std::function<void(const nlohmann::json&, Struct&)> read;  ///< none: it is for people alone
+  Read read;  ///< none: it is for people alone
+};
 
-  /// The same of a struct that has all that Struct has.
-  template <typename Derived>
-  operator Row<Derived>() const {  // NOLINT(google-explicit-constructor)
-    return {key, form, is_required, read};
-  }
+/// The row of what is at a place within a struct, so many bytes from where it begins.
+AnyRow row_at(std::ptrdiff_t place, AnyRow row);
+
+/// One of a Struct, to see in which places its members are.
+template <typename Struct>
+const Struct& any_struct() {
+  static const Struct whole{};
+  return whole;
+}
+
+inline std::ptrdiff_t bytes_between(const void* from, const void* to) {
+  return static_cast<const char*>(to) - static_cast<const char*>(from);
+}
+
+/// Where a member is in its struct.
+template <typename Struct, typename Member>
+std::ptrdiff_t place_of(Member Struct::*member) {
+  const Struct& whole = any_struct<Struct>();
+  return bytes_between(&whole, &(whole.*member));
+}
+
+/// Where a base is in a struct that has all that the base has.
+template <typename Struct, typename Base>
+std::ptrdiff_t place_of_base() {
+  const Struct& whole = any_struct<Struct>();
+  return bytes_between(&whole, static_cast<const Base*>(&whole));
+}
+
+/// One setting of a Struct.
+template <typename Struct>
+struct Row : AnyRow {
+  explicit Row(AnyRow row) : AnyRow(std::move(row)) {}
+
+  /// A setting that may be left out; `put` is called with the value and the Struct.
+  template <typename Put>
+  Row(std::string_view name, const Form& value, std::string_view sentence, Put put)
+      : AnyRow(name, value, sentence,
+               [put = std::move(put)](const nlohmann::json& found, void* into) {
+                 put(found, *static_cast<Struct*>(into));
+               }) {}
+
+  /// The same of a struct that has all that Base has.
+  template <typename Base>
+  Row(const Row<Base>& row)  // NOLINT(google-explicit-constructor)
+      : AnyRow(row_at(place_of_base<Struct, Base>(), row)) {}
 
   /// The same of a setting that every file has.
   [[nodiscard]] Row in_every_file() const {
@@ -185,24 +234,27 @@ struct Row {
   }
 };
 
+/// What a kind reads, put into a member.
+template <typename Member, typename T>
+AnyRow::Read put_into(const Kind<T>& kind) {
+  return [read = kind.read](const nlohmann::json& value, void* member) {
+    *static_cast<Member*>(member) = read(value);
+  };
+}
+
 /// A setting that may be left out.
 template <typename Struct, typename Member, typename T>
-Row<Struct> row(const std::string& key, Member Struct::*member, const Kind<T>& kind,
-                const std::string& sentence = "") {
-  return {key, described(sentence, kind), false,
-          [member, read = kind.read](const nlohmann::json& value, Struct& into) {
-            into.*member = read(value);
-          }};
+Row<Struct> row(std::string_view key, Member Struct::*member, const Kind<T>& kind,
+                std::string_view sentence = "") {
+  return Row<Struct>(row_at(place_of(member), AnyRow(key, kind, sentence, put_into<Member>(kind))));
 }
 
 /// The same of a struct within the struct.
 template <typename Struct, typename Inner, typename Member, typename T>
-Row<Struct> row(const std::string& key, Inner Struct::*inner, Member Inner::*member,
-                const Kind<T>& kind, const std::string& sentence = "") {
-  return {key, described(sentence, kind), false,
-          [inner, member, read = kind.read](const nlohmann::json& value, Struct& into) {
-            into.*inner.*member = read(value);
-          }};
+Row<Struct> row(std::string_view key, Inner Struct::*inner, Member Inner::*member,
+                const Kind<T>& kind, std::string_view sentence = "") {
+  return Row<Struct>(row_at(place_of(inner) + place_of(member),
+                            AnyRow(key, kind, sentence, put_into<Member>(kind))));
 }
 
 /// A setting that every file has.
@@ -213,63 +265,79 @@ auto required(const Arguments&... arguments) {
 
 /// A key of the file that the program does not read.
 template <typename Struct>
-Row<Struct> unread(const std::string& key, const Form& form, bool is_required = false) {
-  return {key, form, is_required, nullptr};
+Row<Struct> unread(std::string_view key, const Form& form, std::string_view sentence = "") {
+  return Row<Struct>(AnyRow(key, form, sentence, nullptr));
 }
 
-/// The row of a struct within the struct.
-template <typename Struct, typename Inner>
-Row<Struct> row_within(Inner Struct::*inner, const Row<Inner>& row) {
-  return {row.key, row.form, row.is_required,
-          [inner, read = row.read](const nlohmann::json& value, Struct& into) {
-            read(value, into.*inner);
-          }};
-}
+/// Settings of whatever struct; Rows says of which.
+class AnyRows {
+ public:
+  [[nodiscard]] Form form(const std::string& sentence) const;
 
-/// Of all rows of an object.
-struct KeyForm {
-  const std::string& key;
-  const Form& form;
-  bool is_required;
+  /// What of `value` the rows say, put into the struct.
+  void read(const nlohmann::json& value, void* into) const;
+
+  [[nodiscard]] auto begin() const { return rows_.begin(); }
+  [[nodiscard]] auto end() const { return rows_.end(); }
+
+ protected:
+  void append_row(const AnyRow& row);
+  void append_rows(const AnyRows& rows, std::ptrdiff_t place = 0);
+
+ private:
+  std::vector<AnyRow> rows_;
 };
-Form object_form(const std::string& sentence, const std::vector<KeyForm>& keys);
 
+/// Settings of a Struct.
 template <typename Struct>
-Form object_form(const std::string& sentence, const std::vector<Row<Struct>>& rows) {
-  std::vector<KeyForm> keys;
-  for (const Row<Struct>& each : rows) {
-    keys.push_back({each.key, each.form, each.is_required});
-  }
-  return object_form(sentence, keys);
-}
-
-/// What of `value` the rows say, put into the struct.
-template <typename Struct>
-void read_rows(const std::vector<Row<Struct>>& rows, const nlohmann::json& value, Struct& into) {
-  for (const Row<Struct>& each : rows) {
-    const auto found = value.find(each.key);
-    if (each.read && found != value.end()) {
-      each.read(*found, into);
+class Rows : public AnyRows {
+ public:
+  Rows(std::initializer_list<Row<Struct>> rows = {}) {
+    for (const Row<Struct>& each : rows) {
+      append_row(each);
     }
   }
-}
+
+  Rows& append(const Row<Struct>& row) {
+    append_row(row);
+    return *this;
+  }
+
+  Rows& append(const Rows& rows) {
+    append_rows(rows);
+    return *this;
+  }
+
+  /// The rows of what the Struct is besides.
+  template <typename Base>
+  Rows& append_base(const Rows<Base>& rows) {
+    append_rows(rows, place_of_base<Struct, Base>());
+    return *this;
+  }
+
+  /// The rows of a struct within the Struct.
+  template <typename Inner>
+  Rows& append_within(Inner Struct::*inner, const Rows<Inner>& rows) {
+    append_rows(rows, place_of(inner));
+    return *this;
+  }
+};
 
 /// An object with these keys and no others.
 template <typename Struct>
-Kind<Struct> object(const std::string& sentence, const std::vector<Row<Struct>>& rows) {
-  return {object_form(sentence, rows), [rows](const nlohmann::json& value) {
+Kind<Struct> object(const std::string& sentence, const Rows<Struct>& rows) {
+  return {rows.form(sentence), [rows](const nlohmann::json& value) {
             Struct result;
-            read_rows(rows, value, result);
+            rows.read(value, &result);
             return result;
           }};
 }
 
 /// An object of the file alone: what its rows say belongs to the struct as its other settings do.
 template <typename Struct>
-Row<Struct> group(const std::string& key, const std::vector<Row<Struct>>& rows,
-                  const std::string& sentence = "") {
-  return {key, object_form(sentence, rows), false,
-          [rows](const nlohmann::json& value, Struct& into) { read_rows(rows, value, into); }};
+Row<Struct> group(std::string_view key, const Rows<Struct>& rows, std::string_view sentence = "") {
+  return {key, rows.form(""), sentence,
+          [rows](const nlohmann::json& value, Struct& into) { rows.read(value, &into); }};
 }
 
 /// The schema of a whole file.
@@ -278,16 +346,12 @@ OrderedJson file_schema(const std::string& title, const std::string& sentence, c
 /// The rows that every file begins with: which schema it goes by, and for people its title and
 /// where it comes from. `first` may have the title among rows of the struct.
 template <typename Struct>
-std::vector<Row<Struct>> rows_of_file(const std::vector<Row<Struct>>& more,
-                                      const std::vector<Row<Struct>>& first = {
-                                          unread<Struct>("title", text(), true)}) {
-  std::vector<Row<Struct>> rows{
-      unread<Struct>("$schema", any_text()),
-      unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}, /*is_required=*/true)};
-  rows.insert(rows.end(), first.begin(), first.end());
-  rows.push_back(unread<Struct>("source", any_text()));
-  rows.insert(rows.end(), more.begin(), more.end());
-  return rows;
+Rows<Struct> rows_of_file(const Rows<Struct>& more,
+                          const Rows<Struct>& first = {
+                              unread<Struct>("title", text()).in_every_file()}) {
+  Rows<Struct> rows{unread<Struct>("$schema", any_text()),
+                    unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}).in_every_file()};
+  return rows.append(first).append(unread<Struct>("source", any_text())).append(more);
 }
 
 }  // namespace impetus::inline settings

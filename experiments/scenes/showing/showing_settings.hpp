@@ -30,6 +30,6 @@ struct ShowingSettings {
 };
 
 /// Its rows in a scene's file.
-std::vector<Row<ShowingSettings>> showing_rows();
+Rows<ShowingSettings> showing_rows();
 
 }  // namespace impetus::inline scenes
