@@ -45,10 +45,10 @@ std::vector<std::string> cut_names(const json& document) {
 
 OrderedJson number_schema(double minimum, double maximum, const std::string& words) {
   OrderedJson schema = words.empty() ? OrderedJson::object() : OrderedJson{{"description", words}};
-  const Rows<double> rows{unread<double>("value", number({minimum, maximum})).in_every_file(),
-                          unread<double>("unit", any_text()).in_every_file(),
-                          unread<double>("source", text()).in_every_file(),
-                          unread<double>("note", any_text())};
+  using E = ParameterEntry;
+  const RowList<E> rows{unread<E>("value", number({minimum, maximum})).in_every_file(),
+                        unread<E>("unit", any_text()).in_every_file(),
+                        unread<E>("source", text()).in_every_file(), unread<E>("note", any_text())};
   schema.update(rows.form("").schema);
   return schema;
 }

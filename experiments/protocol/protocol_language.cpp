@@ -62,7 +62,7 @@ void add_letters_of_value(const json& value, std::set<std::uint16_t>& letters) {
 
 }  // namespace
 
-Rows<Protocol> language_rows() {
+RowList<Protocol> language_rows() {
   const Form language{{{"type", {"string", "object"}}}};
   return {
       unread<Protocol>(

@@ -20,7 +20,7 @@
 namespace impetus::inline protocol {
 
 /// The protocol's settings of language.
-Rows<Protocol> language_rows();
+RowList<Protocol> language_rows();
 
 /// Where the document, read from `path`, names a file as its language, what that says is put into
 /// it. Throws InputError where there is no such file, or no language in it that is complete and can

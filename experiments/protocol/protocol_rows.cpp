@@ -169,7 +169,7 @@ Kind<TrainingRule> training_rule_kind() {
                 "After these the experimenter decides.")});
 }
 
-Rows<P> design_rows() {
+RowList<P> design_rows() {
   using D = Design;
   return {required("factors", &P::design, &D::factors, list(factor_kind(), kSome)),
           required("repetitions", &P::design, &D::repetitions, count(1, 1000)),
@@ -188,14 +188,15 @@ Rows<P> design_rows() {
 
 // ---------------------------------------------------------------- the session
 
-Rows<Text> text_rows() {
+RowList<Text> text_rows() {
   return {required("title", &Text::title, text()),
           required("paragraphs", &Text::paragraphs, list(text(), {}))};
 }
 
 /// Title and paragraphs between other rows of what they belong to.
 template <typename Struct>
-Rows<Struct> rows_with_text(Rows<Struct> rows, Text Struct::*page, const Rows<Struct>& more) {
+RowList<Struct> rows_with_text(RowList<Struct> rows, Text Struct::*page,
+                               const RowList<Struct>& more) {
   return rows.append_within(page, text_rows()).append(more);
 }
 
@@ -297,7 +298,7 @@ Row<S> timing_row() {
 
 const Kind<P>& protocol_kind() {
   static const Kind<P> kind = [] {
-    Rows<P> rows{
+    RowList<P> rows{
         required("scene", &P::scene_file, text(),
                  "The scene's file, seen from this one, within the folder above this one's; links "
                  "are followed."),
@@ -309,8 +310,8 @@ const Kind<P>& protocol_kind() {
             "Values of the scene that are computed before the plan is stored, by simulation, and "
             "kept with every trial; protocol and scene alone decide them."),
         row("exclude_when", &P::exclude_when, exclusion_rules_kind())};
-    const Rows<S> instruments{question_order_row(), timing_row(), gaze_row(), markers_row(),
-                              session_row()};
+    const RowList<S> instruments{question_order_row(), timing_row(), gaze_row(), markers_row(),
+                                 session_row()};
     rows.append(language_rows())
         .append_within(&P::script, question_rows())
         .append_within(&P::script, instruments);

@@ -25,7 +25,7 @@ constexpr const char* kSpinPointer = "/imposed/random_spin";
 
 constexpr const char* kEqualLists = "equal-lists";
 
-Rows<SolveEntry> equal_lists_rows() {
+RowList<SolveEntry> equal_lists_rows() {
   using E = SolveEntry;
   return {row("share", &E::share, number({0, 1}), "Of the first list."),
           row("within", &E::within, number(above(0, 1)), "The share may miss by so much."),
@@ -33,7 +33,7 @@ Rows<SolveEntry> equal_lists_rows() {
               "Simulated time of the pilot, whose random start is its own.")};
 }
 
-Rows<SolveEntry> rows_of_kind(const std::string& kind) {
+RowList<SolveEntry> rows_of_kind(const std::string& kind) {
   return kind == kEqualLists ? equal_lists_rows() : spin_limits_rows();
 }
 
@@ -205,7 +205,7 @@ std::vector<SolvedValue> solve_one(const SolveTask& task, ShapeLibrary& shapes,
 
 Kind<SolveEntry> solve_kind() {
   using E = SolveEntry;
-  Rows<E> rows{
+  RowList<E> rows{
       required("kind", &E::kind, one_of({"random-spin-limits", kEqualLists}),
                "random-spin-limits: the limits of /imposed/random_spin, percentiles of the changes "
                "of angular velocity in accurate collisions of the same bodies from starts that are "

@@ -114,7 +114,7 @@ Components changes_of(const SolveTask& task, ShapeLibrary& shapes, const Progres
 
 }  // namespace
 
-Rows<SolveEntry> spin_limits_rows() {
+RowList<SolveEntry> spin_limits_rows() {
   using E = SolveEntry;
   return {row("accurate_level", &E::accurate_level, whole<int>({0, 6}),
               "The level of accurate collisions."),

@@ -13,7 +13,7 @@
 namespace impetus::inline protocol {
 
 /// What an entry of this kind says beside what each kind does.
-Rows<SolveEntry> spin_limits_rows();
+RowList<SolveEntry> spin_limits_rows();
 
 /// Throws InputError when fewer starts than asked for lead to a collision, of twice as many.
 std::vector<SolvedValue> solve_spin_limits(const SolveTask& task, ShapeLibrary& shapes,

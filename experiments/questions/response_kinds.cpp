@@ -47,8 +47,8 @@ const ResponseKind* find_kind(const std::string& name) {
   return found == response_kinds().end() ? nullptr : &found->get();
 }
 
-Rows<Script> question_rows() {
-  Rows<Script> rows;
+RowList<Script> question_rows() {
+  RowList<Script> rows;
   for (const ResponseKind& kind : response_kinds()) {
     rows.append({kind.protocol_key, kind.block, "",
                  [read = kind.block.read](const nlohmann::json& block, Script& script) {

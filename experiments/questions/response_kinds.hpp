@@ -146,11 +146,12 @@ std::string list_keys(const std::function<bool(const ResponseKind&)>& is_meant);
 const ResponseKind* find_kind(const std::string& name);
 
 /// The blocks of all kinds in a protocol, read in the order in which they are asked.
-Rows<Script> question_rows();
+RowList<Script> question_rows();
 
 /// A kind's block, which becomes a question of the class that is its struct.
 template <typename Asked>
-Kind<std::shared_ptr<const Question>> block(const std::string& sentence, const Rows<Asked>& rows) {
+Kind<std::shared_ptr<const Question>> block(const std::string& sentence,
+                                            const RowList<Asked>& rows) {
   return {rows.form(sentence), [rows](const nlohmann::json& value) {
             auto question = std::make_shared<Asked>();
             rows.read(value, question.get());

@@ -82,7 +82,7 @@ Kind<ScheduleSettings> schedule_kind() {
   std::vector<std::string> schedulers = texts(metric_names());
   schedulers.emplace_back(kRegionScheduler);
   std::sort(schedulers.begin(), schedulers.end());
-  Rows<S> rows{
+  RowList<S> rows{
       required("scheduler", &S::scheduler, one_of(schedulers),
                "What decides a pair's list: a metric against thresholds, or, of region, whether "
                "it lies inside. " +
@@ -191,7 +191,7 @@ Kind<MaterialPair> material_pair_kind() {
                         required("restitution", &M::restitution, number({0, 1}))});
 }
 
-Rows<EngineSettings> rows_of_contacts() {
+RowList<EngineSettings> rows_of_contacts() {
   using E = EngineSettings;
   using W = WorldSettings;
   return {
@@ -239,7 +239,7 @@ Rows<EngineSettings> rows_of_contacts() {
           "Of every body that can move; none when left out. y is up.")};
 }
 
-Rows<EngineSettings> rows_of_detail() {
+RowList<EngineSettings> rows_of_detail() {
   using E = EngineSettings;
   return {row("tree_depth", &E::tree_depth, whole<int>({0, 6}),
               "Levels of a body's volume tree beyond its root; a sphere needs none, and a study "
@@ -262,7 +262,7 @@ EngineSettings::EngineSettings(const nlohmann::json& valid)
 
 const Kind<EngineSettings>& engine_kind() {
   static const Kind<EngineSettings> kind = [] {
-    Rows<EngineSettings> rows = rows_of_contacts();
+    RowList<EngineSettings> rows = rows_of_contacts();
     return object<EngineSettings>("How the world is stepped.", rows.append(rows_of_detail()));
   }();
   return kind;

@@ -89,7 +89,7 @@ Kind<BodySettings> body_kind() {
 }
 
 /// How fast a crowd moves, and where it starts.
-Rows<CrowdSettings> rows_of_start() {
+RowList<CrowdSettings> rows_of_start() {
   using C = CrowdSettings;
   return {required("speed_deg_s", &C::speed_deg_s, number({0, 1000})),
           required("spin_deg_s", &C::spin_deg_s, number({0, 10000})),
@@ -99,11 +99,11 @@ Rows<CrowdSettings> rows_of_start() {
 
 Kind<BodyCrowd> crowd_kind() {
   using C = BodyCrowd;
-  Rows<C> rows{required("count", &C::count, whole<std::size_t>({1, 1000})),
-               required("shape", &C::shape, scene_shape_kind()),
-               required("density_kg_m3", &C::density_kg_m3, density_kind()),
-               row("material", &C::material, material_kind()),
-               required("colours", &C::colours, colours_kind(), "Taken in turn.")};
+  RowList<C> rows{required("count", &C::count, whole<std::size_t>({1, 1000})),
+                  required("shape", &C::shape, scene_shape_kind()),
+                  required("density_kg_m3", &C::density_kg_m3, density_kind()),
+                  row("material", &C::material, material_kind()),
+                  required("colours", &C::colours, colours_kind(), "Taken in turn.")};
   rows.append_base(rows_of_start());
   return object<C>(
       "Bodies alike but for their colour, at random places within the enclosure, with "
@@ -170,14 +170,14 @@ Kind<NamedFigure> named_figure_kind() {
 Kind<FigureCrowd> figure_crowd_kind() {
   using C = FigureCrowd;
   using M = FigureMaking;
-  Rows<C> rows{required("figure", &C::making, &M::figure, figure_file_kind()),
-               required("count", &C::count, whole<std::size_t>({1, 100})),
-               required("height_deg", &C::making, &M::height_deg, figure_height_kind()),
-               required("density_kg_m3", &C::density_kg_m3, density_kind()),
-               row("material", &C::material, material_kind()),
-               required("colours", &C::colours, colours_kind(),
-                        "Taken in turn, one for all parts of a figure."),
-               row("coarsest", &C::making, &M::sphere_first, figure_coarsest_kind())};
+  RowList<C> rows{required("figure", &C::making, &M::figure, figure_file_kind()),
+                  required("count", &C::count, whole<std::size_t>({1, 100})),
+                  required("height_deg", &C::making, &M::height_deg, figure_height_kind()),
+                  required("density_kg_m3", &C::density_kg_m3, density_kind()),
+                  row("material", &C::material, material_kind()),
+                  required("colours", &C::colours, colours_kind(),
+                           "Taken in turn, one for all parts of a figure."),
+                  row("coarsest", &C::making, &M::sphere_first, figure_coarsest_kind())};
   rows.append_base(rows_of_start());
   rows.append(row("self_collision", &C::making, &M::self_collision, self_collision_kind()));
   return object<C>(
@@ -250,7 +250,7 @@ Kind<FigureSettings> figure_content_kind() {
 const Kind<Scene>& scene_kind() {
   using S = Scene;
   static const Kind<S> kind = object<S>(
-      "", rows_of_file<S>(Rows<S>{
+      "", rows_of_file<S>(RowList<S>{
               required("engine", &S::engine, engine_kind()),
               row("meshes", &S::meshes, by_name(mesh_kind()),
                   "The content of mesh files, by file: put in when a scene is read, so that a "

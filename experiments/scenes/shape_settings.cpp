@@ -271,7 +271,7 @@ ShapeSettings scaled(ShapeSettings shape, double factor) {
 }
 
 Kind<ShapeSettings> scene_shape_kind() {
-  Rows<S> rows{
+  RowList<S> rows{
       required("kind", &S::kind, kind_of_kind()),
       row("file", &S::file, text(),
           "Of a mesh: an OBJ, PLY, STL, OFF or glTF file of a closed surface, seen from the "
@@ -300,7 +300,7 @@ Kind<ShapeSettings> scene_shape_kind() {
 
 Kind<ShapeSettings> figure_shape_kind() {
   const Kind<double> measure = defined("measure", number(above(0, 10)));
-  Rows<S> rows{
+  RowList<S> rows{
       required("kind", &S::kind, kind_of_kind()),
       row("file", &S::file, text(), "Of a mesh, seen from the scene's folder and within it.")};
   for (const ShapeMeasure& each : shape_measures()) {

@@ -119,7 +119,7 @@ AnyRow row_at(std::ptrdiff_t place, AnyRow row) {
   return row;
 }
 
-Form AnyRows::form(const std::string& sentence) const {
+Form AnyRowList::form(const std::string& sentence) const {
   Form form{{{"type", "object"}, {"additionalProperties", false}}};
   OrderedJson required = OrderedJson::array();
   OrderedJson properties = OrderedJson::object();
@@ -137,7 +137,7 @@ Form AnyRows::form(const std::string& sentence) const {
   return described(sentence, form);
 }
 
-void AnyRows::read(const json& value, void* into) const {
+void AnyRowList::read(const json& value, void* into) const {
   for (const AnyRow& each : rows_) {
     const auto found = value.find(each.key);
     if (each.read && found != value.end()) {
@@ -146,9 +146,9 @@ void AnyRows::read(const json& value, void* into) const {
   }
 }
 
-void AnyRows::append_row(const AnyRow& row) { rows_.push_back(row); }
+void AnyRowList::append_row(const AnyRow& row) { rows_.push_back(row); }
 
-void AnyRows::append_rows(const AnyRows& rows, std::ptrdiff_t place) {
+void AnyRowList::append_rows(const AnyRowList& rows, std::ptrdiff_t place) {
   for (const AnyRow& each : rows.rows_) {
     rows_.push_back(row_at(place, each));
   }

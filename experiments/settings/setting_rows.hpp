@@ -269,8 +269,8 @@ Row<Struct> unread(std::string_view key, const Form& form, std::string_view sent
   return Row<Struct>(AnyRow(key, form, sentence, nullptr));
 }
 
-/// Settings of whatever struct; Rows says of which.
-class AnyRows {
+/// Settings of whatever struct; RowList says of which.
+class AnyRowList {
  public:
   [[nodiscard]] Form form(const std::string& sentence) const;
 
@@ -282,7 +282,7 @@ class AnyRows {
 
  protected:
   void append_row(const AnyRow& row);
-  void append_rows(const AnyRows& rows, std::ptrdiff_t place = 0);
+  void append_rows(const AnyRowList& rows, std::ptrdiff_t place = 0);
 
  private:
   std::vector<AnyRow> rows_;
@@ -290,34 +290,34 @@ class AnyRows {
 
 /// Settings of a Struct.
 template <typename Struct>
-class Rows : public AnyRows {
+class RowList : public AnyRowList {
  public:
-  Rows(std::initializer_list<Row<Struct>> rows = {}) {
+  RowList(std::initializer_list<Row<Struct>> rows = {}) {
     for (const Row<Struct>& each : rows) {
       append_row(each);
     }
   }
 
-  Rows& append(const Row<Struct>& row) {
+  RowList& append(const Row<Struct>& row) {
     append_row(row);
     return *this;
   }
 
-  Rows& append(const Rows& rows) {
+  RowList& append(const RowList& rows) {
     append_rows(rows);
     return *this;
   }
 
   /// The rows of what the Struct is besides.
   template <typename Base>
-  Rows& append_base(const Rows<Base>& rows) {
+  RowList& append_base(const RowList<Base>& rows) {
     append_rows(rows, place_of_base<Struct, Base>());
     return *this;
   }
 
   /// The rows of a struct within the Struct.
   template <typename Inner>
-  Rows& append_within(Inner Struct::*inner, const Rows<Inner>& rows) {
+  RowList& append_within(Inner Struct::*inner, const RowList<Inner>& rows) {
     append_rows(rows, place_of(inner));
     return *this;
   }
@@ -325,7 +325,7 @@ class Rows : public AnyRows {
 
 /// An object with these keys and no others.
 template <typename Struct>
-Kind<Struct> object(const std::string& sentence, const Rows<Struct>& rows) {
+Kind<Struct> object(const std::string& sentence, const RowList<Struct>& rows) {
   return {rows.form(sentence), [rows](const nlohmann::json& value) {
             Struct result;
             rows.read(value, &result);
@@ -335,7 +335,8 @@ Kind<Struct> object(const std::string& sentence, const Rows<Struct>& rows) {
 
 /// An object of the file alone: what its rows say belongs to the struct as its other settings do.
 template <typename Struct>
-Row<Struct> group(std::string_view key, const Rows<Struct>& rows, std::string_view sentence = "") {
+Row<Struct> group(std::string_view key, const RowList<Struct>& rows,
+                  std::string_view sentence = "") {
   return {key, rows.form(""), sentence,
           [rows](const nlohmann::json& value, Struct& into) { rows.read(value, &into); }};
 }
@@ -346,11 +347,12 @@ OrderedJson file_schema(const std::string& title, const std::string& sentence, c
 /// The rows that every file begins with: which schema it goes by, and for people its title and
 /// where it comes from. `first` may have the title among rows of the struct.
 template <typename Struct>
-Rows<Struct> rows_of_file(const Rows<Struct>& more,
-                          const Rows<Struct>& first = {
-                              unread<Struct>("title", text()).in_every_file()}) {
-  Rows<Struct> rows{unread<Struct>("$schema", any_text()),
-                    unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}).in_every_file()};
+RowList<Struct> rows_of_file(const RowList<Struct>& more,
+                             const RowList<Struct>& first = {
+                                 unread<Struct>("title", text()).in_every_file()}) {
+  RowList<Struct> rows{
+      unread<Struct>("$schema", any_text()),
+      unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}).in_every_file()};
   return rows.append(first).append(unread<Struct>("source", any_text())).append(more);
 }
 

@@ -18,7 +18,7 @@ Kind<FlashingSettings> flashing_kind() {
 
 }  // namespace
 
-Rows<ShowingSettings> showing_rows() {
+RowList<ShowingSettings> showing_rows() {
   using Showing = ShowingSettings;
   return {row("still_s", &Showing::still_s, number({0, 60}),
               "At its begin the scene is shown for so long before anything moves, as a whole "

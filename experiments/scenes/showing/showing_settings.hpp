@@ -30,6 +30,6 @@ struct ShowingSettings {
 };
 
 /// Its rows in a scene's file.
-Rows<ShowingSettings> showing_rows();
+RowList<ShowingSettings> showing_rows();
 
 }  // namespace impetus::inline scenes
