@@ -13,11 +13,11 @@
 kUsage <- "Rscript sample-posterior.R [--check], run by impetus fit --posterior"
 
 tell_line <- function(...) {
-  cat(..., "\n")
+  writeLines(paste(c(...), collapse = " "))
   flush(stdout())
 }
 
-exactly <- function(x) formatC(x, digits = 17, format = "g")
+exactly <- function(x) sprintf("%.17g", x)
 
 sample_for_program <- function(program) {
   numbers <- function() as.numeric(strsplit(readLines(program, 1), " ")[[1]])
@@ -36,9 +36,8 @@ sample_for_program <- function(program) {
       stats::sd(drawn[, i]), sampled$rhat[i], sampled$enough[i])))
   }
   for (chain in seq_along(sampled$chains)) {
-    cat(apply(sampled$chains[[chain]], 1, function(x) {
-      paste("draw", chain, paste(exactly(x), collapse = " "))
-    }), sep = "\n")
+    columns <- lapply(seq_len(size), function(i) exactly(sampled$chains[[chain]][, i]))
+    writeLines(do.call(paste, c("draw", chain, columns)))
   }
 }
 

@@ -20,6 +20,7 @@
 kLagEdgesS <- seq(0.2, 1.2, by = 0.2)
 kRefractoryS <- 0.4
 kClickBinS <- 0.02  # lags and refractory period are whole bins
+kRefractoryBins <- round(kRefractoryS / kClickBinS)
 kShifts <- 999
 
 # One participant's trials as regressors on a grid of time: list(rows, first, bins, click_trial,
@@ -62,21 +63,41 @@ free_clicks <- function(times) {
 }
 
 # Coefficients of a record: list(theta, covariance), or NULL where the events do not determine them.
-# `shift`: whole bins for each trial, round its end; NULL: the clicks where they were. `whole`: the
-# integral over all bins, made once for many shifts.
-fit_click_rate <- function(record, shift = NULL, whole = crossprod(record$rows) * kClickBinS) {
-  bin <- record$click_bin
+fit_click_rate <- function(record) {
   bins <- record$bins[record$click_trial]
-  if (!is.null(shift)) bin <- (bin + shift[record$click_trial]) %% bins
   first <- record$first[record$click_trial]
-  blocked <- outer(bin, seq_len(round(kRefractoryS / kClickBinS)), `+`)
-  blocked <- if (is.null(shift)) (first + blocked)[blocked < bins] else first + blocked %% bins
-  while_free <- whole - crossprod(record$rows[blocked + 1, , drop = FALSE]) * kClickBinS
-  at_clicks <- record$rows[first + bin + 1, , drop = FALSE]
-  if (rcond(while_free) < 1e-9) return(NULL)
-  inverse <- solve(while_free)
+  blocked <- outer(record$click_bin, seq_len(kRefractoryBins), `+`)
+  blocked <- (first + blocked)[blocked < bins]
+  at_clicks <- record$rows[first + record$click_bin + 1, , drop = FALSE]
+  inverse <- inverse_while_free(
+    crossprod(record$rows), crossprod(record$rows[blocked + 1, , drop = FALSE]))
+  if (is.null(inverse)) return(NULL)
   list(theta = as.vector(inverse %*% colSums(at_clicks)),
     covariance = inverse %*% crossprod(at_clicks) %*% inverse)
+}
+
+# The inverse of the integral of x x' while free, of its sums over all bins and over those that are
+# not; NULL where there is none.
+inverse_while_free <- function(all, blocked) {
+  while_free <- all * kClickBinS - blocked * kClickBinS
+  if (rcond(while_free) < 1e-9) NULL else solve(while_free)
+}
+
+# For each bin the sum of x x' over the refractory time of a click there, round its trial's end: its
+# lower triangle, by column, is a column. Whole numbers, as events are counted.
+blocked_products <- function(record) {
+  size <- ncol(record$rows)
+  row <- sequence(size:1, seq_len(size))
+  column <- rep(seq_len(size), size:1)
+  parts <- Map(function(first, bins) {
+    round_the_end <- first + (seq_len(bins + kRefractoryBins) - 1) %% bins + 1
+    x <- record$rows[round_the_end, , drop = FALSE]
+    sums <- apply(x[, row, drop = FALSE] * x[, column, drop = FALSE], 2, cumsum)
+    until <- sums[kRefractoryBins + seq_len(bins), , drop = FALSE] - sums[seq_len(bins), , drop = FALSE]
+    storage.mode(until) <- "integer"
+    t(until)
+  }, record$first, record$bins)
+  do.call(cbind, parts)
 }
 
 # Linear combinations of theta that have a name: bad and good gain, their difference, the baseline
@@ -101,21 +122,36 @@ click_gains <- function(record) {
     kernels = fit$theta[-seq_along(record$kinds)], dropped = record$dropped)
 }
 
-# The participants' mean difference of gains in each of `shifts` records with shifted clicks.
-# Seeded; the caller's random numbers are left as they were.
+# The participants' mean difference of gains in each of `shifts` records whose clicks are shifted by
+# whole bins, another number for each trial, round its end. Seeded; the caller's random numbers are
+# left as they were.
 shifted_differences <- function(records, shifts = kShifts, seed = 1) {
   withr::with_seed(seed, {
     each <- lapply(records, function(record) {
-      whole <- crossprod(record$rows) * kClickBinS
+      bins <- record$bins[record$click_trial]
+      first <- record$first[record$click_trial]
       weights <- click_gain_weights(record)["difference", ]
+      all <- crossprod(record$rows)
+      blocked <- blocked_products(record)
       replicate(shifts, {
         shift <- floor(stats::runif(length(record$bins)) * record$bins)
-        fit <- fit_click_rate(record, shift, whole)
-        if (is.null(fit)) NA else sum(weights * fit$theta)
+        clicked <- first + (record$click_bin + shift[record$click_trial]) %% bins + 1
+        inverse <- inverse_while_free(
+          all, symmetric(rowSums(blocked[, clicked, drop = FALSE]), ncol(all)))
+        sums <- colSums(record$rows[clicked, , drop = FALSE])
+        if (is.null(inverse)) NA else sum(weights * as.vector(inverse %*% sums))
       })
     })
     rowMeans(matrix(unlist(each), shifts), na.rm = TRUE)
   })
+}
+
+# The matrix whose lower triangle, by column, is this.
+symmetric <- function(triangle, size) {
+  whole <- matrix(0, size, size)
+  whole[lower.tri(whole, diag = TRUE)] <- triangle
+  whole[upper.tri(whole)] <- t(whole)[upper.tri(whole)]
+  whole
 }
 
 # Two-sided p of an observed value among `null` ones: twice the smaller tail, the observed counted.

@@ -6,8 +6,9 @@
 kChains <- 4
 kWarmUps <- 3
 kWarmUpDraws <- 300    # of a chain, each time
-kRoundDraws <- 500
-kMostRounds <- 60
+kFirstDraws <- 500     # then half as many again, each time: judging chains takes long, too
+kRoundDraws <- 4000    # at most at once, so that it can be told how far it is
+kMostDraws <- 30000
 kEnoughDraws <- 400    # that are worth as many independent ones, of each parameter
 kLargestRhat <- 1.01
 
@@ -28,14 +29,15 @@ sample_posterior <- function(density, mode, covariance, tell = function(share) N
     drawn <- do.call(rbind, lapply(walk(kWarmUpDraws), utils::tail, kWarmUpDraws %/% 2))
     covariance <- stats::cov(drawn) + 1e-10 * diag(length(mode))
   }
-  chains <- walk(kRoundDraws)
-  for (round in seq_len(kMostRounds)) {
+  chains <- walk(kFirstDraws)
+  repeat {
     sampled <- judge_chains(chains)
     tell(min(1, sampled$enough / kEnoughDraws))
-    if (all(sampled$rhat <= kLargestRhat) && all(sampled$enough >= kEnoughDraws)) break
-    if (round < kMostRounds) chains <- Map(rbind, chains, walk(kRoundDraws))
+    drawn <- nrow(chains[[1]])
+    agree <- all(sampled$rhat <= kLargestRhat) && all(sampled$enough >= kEnoughDraws)
+    if (agree || drawn >= kMostDraws) return(sampled)
+    chains <- Map(rbind, chains, walk(min(drawn %/% 2, kRoundDraws, kMostDraws - drawn)))
   }
-  sampled
 }
 
 # The step of a random walk that is best for a normal distribution.

@@ -16,10 +16,7 @@ source(file.path(root, "tests/analysis/synthetic_clicks.R"))
 source(file.path(root, "tests/analysis/synthetic_thresholds.R"))
 source(file.path(root, "tests/analysis/script_run.R"))
 
-# Packages time what they do (mcmc each chain, TMB each fit) by a function that first collects the garbage of
-# all that is loaded: a quarter of the tests' time.
-unlockBinding("system.time", baseenv())
-assign("system.time", `formals<-`(system.time, value = alist(expr = , gcFirst = FALSE)), baseenv())
+save_time()
 
 results <- testthat::test_dir(file.path(root, "tests/analysis"),
   reporter = testthat::ProgressReporter$new(show_praise = FALSE, update_interval = Inf),
