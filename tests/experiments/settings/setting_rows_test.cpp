@@ -100,5 +100,37 @@ TEST(SettingRows, ADefinitionIsReferredToAndKeptByTheWhole) {
   EXPECT_EQ(herd.definitions["animal"]["description"], "One of them.");
 }
 
+struct Swimmer {
+  double depth_m{1.0};
+};
+
+/// What it can do besides begins elsewhere in it than it does.
+struct Duck : Animal, Swimmer {
+  Leg wing;
+};
+
+TEST(SettingRows, OfBasesAndOfWhatIsWithinAreReadIntoTheirPlaces) {
+  const RowList<Swimmer> of_swimmers{row("depth_m", &Swimmer::depth_m, number({0, 9}))};
+  const RowList<Leg> of_wings{row("wing_m", &Leg::length_m, number({0, 9}))};
+  RowList<Duck> rows{row("speed_m_s", &Duck::speed_m_s, number({0, 100}))};
+  rows.append_base(of_swimmers).append_within(&Duck::wing, of_wings);
+  rows.append(row("dives_m", &Duck::depth_m, number({0, 99})));  // a base's, as C++ has it
+  const Duck duck = object<Duck>("", rows).read(
+      json::parse(R"({"speed_m_s": 3.0, "depth_m": 2.0, "wing_m": 0.25})"));
+  EXPECT_EQ(duck.speed_m_s, 3.0);
+  EXPECT_EQ(duck.depth_m, 2.0);
+  EXPECT_EQ(duck.wing.length_m, 0.25);
+  EXPECT_EQ(duck.leg.length_m, 0.5);
+  EXPECT_EQ(object<Duck>("", rows).read(json::parse(R"({"dives_m": 7.0})")).depth_m, 7.0);
+}
+
+TEST(SettingRows, ARowForPeopleAloneStaysSoWhereverItIsPut) {
+  const RowList<Leg> of_legs{unread<Leg>("colour", text(), "For people.")};
+  RowList<Animal> rows{required("legs", &Animal::legs, whole<int>({0, 1000}))};
+  const auto kind = object<Animal>("", rows.append_within(&Animal::leg, of_legs));
+  EXPECT_EQ(kind.schema["properties"]["colour"]["description"], "For people.");
+  EXPECT_EQ(kind.read(json::parse(R"({"legs": 3, "colour": "red"})")).legs, 3);
+}
+
 }  // namespace
 }  // namespace impetus::setting_rows_test
