@@ -287,9 +287,11 @@ bool has_not_finite(const AttemptRecord& attempt) {
 }
 
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
-                    const AttemptRecord& attempt) {
+                    const AttemptRecord& attempt, bool keeps_steps) {
   const std::int64_t id = insert_attempt_row(database, owner, attempt);
-  insert_steps(database, id, attempt.steps);
+  if (keeps_steps) {
+    insert_steps(database, id, attempt.steps);
+  }
   insert_collisions(database, id, attempt);
   insert_frames(database, id, attempt.frames);
   insert_gaze(database, id, attempt.gaze);

@@ -25,8 +25,9 @@ bool has_not_finite(const AttemptRecord& attempt);
 
 /// Inserts the attempt with its steps, collisions, frames, gaze, clicks and answers; and for each
 /// body that was taken out a note of the session, of kind "not finite", such as "trial 3, attempt
-/// 1, step 12: red, linear momentum". Throws SQLite::Exception.
+/// 1, step 12: red, linear momentum". Without `keeps_steps` all but the steps. Throws
+/// SQLite::Exception.
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
-                    const AttemptRecord& attempt);
+                    const AttemptRecord& attempt, bool keeps_steps);
 
 }  // namespace impetus::inline store

@@ -67,7 +67,8 @@ void StudyWriter::save(AttemptRecord attempt) {
   frames_.late_attempts += late > 0 ? 1 : 0;
   not_finite_attempts_ += has_not_finite(attempt) ? 1 : 0;
   enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
-    insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt);
+    insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt,
+                   keeps_steps_);
     if (saved_) {
       saved_();
     }

@@ -49,6 +49,9 @@ class StudyWriter final : public Recorder {
   /// From now on `saved` is called, on the writing thread, as each attempt is written.
   void tell(std::function<void()> saved) { saved_ = std::move(saved); }
 
+  /// From now on attempts are kept without their steps: none of them can be replayed.
+  void keep_no_steps() { keeps_steps_ = false; }
+
   /// All that `save_all` gives to save is kept as one, or nothing of it.
   void save_whole(const std::function<void()>& save_all);
 
@@ -93,6 +96,7 @@ class StudyWriter final : public Recorder {
   bool sync_overridden_;
   std::int64_t session_id_{0};
   std::function<void()> saved_;
+  bool keeps_steps_{true};
   std::vector<Task> held_;             ///< until something is saved as one
   std::vector<Task>* whole_{nullptr};  ///< while something is saved as one
   std::int64_t not_finite_attempts_{0};

@@ -104,6 +104,7 @@ class PowerStudies {
     StudyFile study = StudyFile::open_for_writing(file, build_name());
     RunOptions own = work_.run;
     own.seed = seed_of_study(work_.seed, cell.number);
+    own.keeps_steps = false;  // nothing that is tested is in them, and they take half of the time
     simulate_people(cell.effect ? work_.planted : work_.without, own, cell.sizes.back(), study,
                     [this] { return has_failed(); });
   }

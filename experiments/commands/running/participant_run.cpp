@@ -192,6 +192,9 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   facts.resumed = resumed_;
   StudyWriter writer(study_, enrolment_, facts);
   writer.tell(saved);
+  if (!options_.keeps_steps) {
+    writer.keep_no_steps();
+  }
   save_screen_notes(facts.screen, screen_change_, writer);
   save_tracker_note(part_.tracker.get(), writer);
   if (!sync_.passed && !options_.override_sync_test) {

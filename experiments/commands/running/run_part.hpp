@@ -36,6 +36,7 @@ struct RunOptions {
   std::string gaze;        ///< a file of recorded gaze, or a tracker's URL; "": the mouse
   std::string photodiode;  ///< the corner of a patch for one; "": none
   std::string markers;     ///< the address of another recorder; "": none
+  bool keeps_steps{true};  ///< false: of a study that is analysed once and deleted
 
   [[nodiscard]] bool simulated() const { return !observers.empty(); }
 };

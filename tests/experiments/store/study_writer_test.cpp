@@ -136,6 +136,26 @@ TEST(StudyWriter, RowsOfOneAttemptAreAsManyAsWereRecorded) {
   EXPECT_EQ(value_of(path, "SELECT ending FROM session"), "quit");
 }
 
+TEST(StudyWriter, WithoutStepsKeepsAllElse) {
+  const TemporaryFolder folder;
+  const std::string whole = (folder / "whole.sqlite").string();
+  const std::string without = (folder / "without.sqlite").string();
+  const AttemptRecord& attempt = recorded_attempts()[0];
+  save_alone(attempt, whole);
+  {
+    EnrolledStudy at(without);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.keep_no_steps();
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(without, "SELECT count(*) FROM step"), "0");
+  for (const char* table : {"collision", "frame", "gaze_sample", "click", "rating", "response"}) {
+    const std::string rows = std::string("SELECT count(*) FROM ") + table;
+    EXPECT_EQ(value_of(without, rows), value_of(whole, rows)) << table;
+  }
+}
+
 TEST(StudyWriter, ATrialWithABodyThatWasNotFiniteIsMarkedByANoteThatNamesIt) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
