@@ -25,9 +25,9 @@ run_command <- function(script, main) {
   )
 }
 
-# R spends no time on what gains none here. Most functions are called once or twice: compiling them first
-# takes a sixth of a report. And packages time what they do (mcmc each chain, TMB each fit) by a
-# function that first collects the garbage of all that is loaded, which takes longer than a small fit.
+# R spends no time on what gains none here. Most functions are called once or twice: compiling them
+# first takes a sixth of a report. And packages time what they do (mcmc each chain, TMB each fit) by
+# a function that first collects the garbage of all that is loaded: it takes longer than a small fit.
 save_time <- function() {
   compiler::enableJIT(0)
   time <- base::system.time

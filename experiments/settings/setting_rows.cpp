@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/settings/setting_rows.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace impetus::inline settings {
@@ -66,11 +65,6 @@ Kind<Vector3> vector(NumberRange range) {
             return Vector3(values[0].get<double>(), values[1].get<double>(),
                            values[2].get<double>());
           }};
-}
-
-std::size_t place_among(const std::vector<std::string>& words, const json& value) {
-  const auto& word = value.get_ref<const std::string&>();
-  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
 Form list_form(const Form& item, ListLength length) {

@@ -75,12 +75,19 @@ Kind<Integer> whole(NumberRange range) {
   return {whole_form(range), [](const nlohmann::json& value) { return value.get<Integer>(); }};
 }
 
-/// Where among the words a value is that is one of them.
-std::size_t place_among(const std::vector<std::string>& words, const nlohmann::json& value);
-
 /// What words in a file stand for, in the order in which messages list them.
 template <typename T>
 using Names = std::vector<std::pair<std::string, T>>;
+
+/// What a word that is among the names stands for.
+template <typename T>
+T meaning_of(const std::string& word, const Names<T>& names) {
+  std::size_t i = 0;
+  while (names.at(i).first != word) {
+    ++i;
+  }
+  return names[i].second;
+}
 
 template <typename T>
 Kind<T> choice(const Names<T>& names) {
@@ -88,8 +95,8 @@ Kind<T> choice(const Names<T>& names) {
   for (const auto& [word, meaning] : names) {
     words.push_back(word);
   }
-  return {one_of(words), [words, names](const nlohmann::json& value) {
-            return names.at(place_among(words, value)).second;
+  return {one_of(words), [names](const nlohmann::json& value) {
+            return meaning_of(value.get_ref<const std::string&>(), names);
           }};
 }
 

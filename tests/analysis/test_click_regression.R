@@ -57,6 +57,25 @@ test_that("a second click within 400 ms is dropped, and a third that is free is 
   expect_equal(record_of(drawn)$dropped, 2)
 })
 
+test_that("what a click blocks is that of multiplying the bins after it, round its trial's end", {
+  set.seed(308)
+  record <- record_of(clicking_participant(0.4, 0.2, 0.1, trials = 2))
+  short <- 7  # bins: it goes round more than twice
+  record$rows <- rbind(record$rows, record$rows[seq_len(short) + 100, ])
+  record$first <- c(record$first, sum(record$bins))
+  record$bins <- c(record$bins, short)
+  blocked <- blocked_products(record)
+  expect_equal(ncol(blocked), sum(record$bins))
+  for (trial in seq_along(record$bins)) {
+    bins <- record$bins[trial]
+    for (bin in unique(c(0, 3, bins %/% 2, bins - 5, bins - 1))) {
+      after <- record$first[trial] + (bin + 1:20) %% bins + 1
+      expect_identical(symmetric(blocked[, record$first[trial] + bin + 1], ncol(record$rows)),
+        crossprod(record$rows[after, ]))
+    }
+  }
+})
+
 test_that("without any gain, p of the circular shift is uniform", {
   set.seed(304)
   p <- replicate(200, {
