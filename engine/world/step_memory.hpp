@@ -156,8 +156,10 @@ struct StepMemory {
   StepMemory() = default;
   StepMemory(const StepMemory& /*other*/) : StepMemory() {}
   StepMemory(StepMemory&&) = default;
-  StepMemory& operator=(const StepMemory& /*other*/) {
-    pairs.clear();
+  StepMemory& operator=(const StepMemory& other) {
+    if (this != &other) {
+      pairs.clear();
+    }
     return *this;
   }
   StepMemory& operator=(StepMemory&&) = default;
