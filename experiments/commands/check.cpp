@@ -226,7 +226,7 @@ void add_check(CLI::App& app, Command& chosen) {
   command
       ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
       ->capture_default_str()
-      ->check(CLI::Range(20.0, 1000.0));
+      ->check(number_from(20.0, 1000.0));
   command->add_flag("--allow-rounding", options->allow_rounding,
                     "Accept delays that are not whole frames, as `run` would with this option");
   command->add_flag("--explain", options->explain,

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
+#include <string>
 
 namespace impetus::inline commands {
 
@@ -16,6 +18,18 @@ inline constexpr int kCouldNotRun = 2;
 
 /// What main() calls once the command line is read.
 using Command = std::function<int()>;
+
+/// Numbers from `least` to `most`; CLI::Range takes what is no number, too.
+inline CLI::Validator number_from(double least, double most) {
+  const CLI::Range range(least, most);
+  return CLI::Validator(
+      [range, least](std::string& text) {
+        double number = least;
+        const bool no_number = CLI::detail::lexical_cast(text, number) && std::isnan(number);
+        return no_number ? "expected a number, got " + text : range(text);
+      },
+      range.get_description());
+}
 
 /// Each adds a subcommand to `app`; parsing that subcommand puts its action into `chosen`.
 void add_run(CLI::App& app, Command& chosen);

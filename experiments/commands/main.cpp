@@ -1,6 +1,10 @@
 // The program `impetus`: reads the command line, runs one command, prints one sentence on failure.
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
@@ -73,9 +77,20 @@ std::string unknown_argument(const CLI::App& command, const CLI::ParseError& err
   return error.what() + (unknown.empty() ? "" : perhaps(unknown.front(), names));
 }
 
+/// Whether all that was printed was written, or nobody was meant to read it; else says so.
+bool told_all() {
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (!written && ::fcntl(STDOUT_FILENO, F_GETFD) != -1) {
+    std::fprintf(stderr, "impetus: what was to be printed could not be written in full\n");
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is a failed write, not the end
   CLI::App app{"Impetus: experiments on how believable an approximated collision looks."};
   app.require_subcommand(1);
   app.set_version_flag("--version", impetus::version_text());
@@ -130,7 +145,8 @@ int main(int argc, char** argv) {
     if (threads > 1) {
       impetus::SceneRun::share_work_with(std::make_shared<impetus::WorkerPool>(threads));
     }
-    return chosen();
+    const int status = chosen();
+    return told_all() ? status : impetus::kCouldNotRun;
   } catch (const std::exception& error) {
     std::fflush(stdout);
     std::fprintf(stderr, "impetus: %s\n", error.what());

@@ -20,6 +20,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/run/level_collision.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/collision_strip.hpp"
 #include "experiments/viewers/preview_view.hpp"
 #include "experiments/viewers/still_picture.hpp"
@@ -86,12 +87,9 @@ void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
                  static_cast<int>(std::lround(size.width_px * screen.height_m / screen.width_m)));
   ShapeLibrary shapes;
   StagedScene staged = build_scene(scene.value, screen, kUnroundedHold, shapes);
-  if (options.at_s < 0.0 || options.at_s > staged.duration_s) {
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "--at: expected from 0 to the %g s that the scene lasts, got %g",
-                  staged.duration_s, options.at_s);
-    throw InputError(text);
+  if (!(options.at_s >= 0.0 && options.at_s <= staged.duration_s)) {
+    throw InputError(printed("--at: expected from 0 to the %g s that the scene lasts, got %g",
+                             staged.duration_s, options.at_s));
   }
   const SteadyClock clock;
   const Pixels picture = still_picture(std::move(staged), options.at_s, size, clock);

@@ -12,6 +12,7 @@
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/window_size.hpp"
 #include "experiments/record/ports.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/screen_setup.hpp"
 #endif
 
@@ -55,10 +56,8 @@ std::optional<ScreenLight> given_light(const ScreenOptions& options) {
     return std::nullopt;
   }
   if (*options.white_cd_m2 <= *options.black_cd_m2) {
-    char text[120];
-    std::snprintf(text, sizeof text, "--white-cd-m2: expected more than black, %g cd/m², got %g",
-                  *options.black_cd_m2, *options.white_cd_m2);
-    throw InputError(text);
+    throw InputError(printed("--white-cd-m2: expected more than black, %g cd/m², got %g",
+                             *options.black_cd_m2, *options.white_cd_m2));
   }
   return ScreenLight{*options.black_cd_m2, *options.white_cd_m2, *options.gamma};
 }
@@ -117,11 +116,11 @@ void add_screen(CLI::App& app, Command& chosen) {
                          "Enter the screen's size and distance, and what a photometer "
                          "says of its light, once per lab");
   command->add_option("--width-cm", options->width_cm, "Width of the visible picture")
-      ->check(CLI::Range(10.0, 300.0));
+      ->check(number_from(10.0, 300.0));
   command->add_option("--height-cm", options->height_cm, "Height of the visible picture")
-      ->check(CLI::Range(10.0, 200.0));
+      ->check(number_from(10.0, 200.0));
   command->add_option("--distance-cm", options->distance_cm, "From the eye to the screen")
-      ->check(CLI::Range(20.0, 300.0));
+      ->check(number_from(20.0, 300.0));
   command->add_flag("--pixels-not-square", options->pixels_not_square,
                     "Keep with these numbers that this screen's pixels really are not square");
   CLI::Option* black = command->add_option("--black-cd-m2", options->black_cd_m2,
@@ -130,9 +129,9 @@ void add_screen(CLI::App& app, Command& chosen) {
       command->add_option("--white-cd-m2", options->white_cd_m2, "Luminance of white");
   CLI::Option* gamma = command->add_option("--gamma", options->gamma,
                                            "Exponent of the greys between: 2.2 on most screens");
-  black->check(CLI::Range(0.0, 1000.0))->needs(white)->needs(gamma);
-  white->check(CLI::Range(0.001, 10000.0))->needs(black)->needs(gamma);
-  gamma->check(CLI::Range(0.5, 5.0))->needs(black)->needs(white);
+  black->check(number_from(0.0, 1000.0))->needs(white)->needs(gamma);
+  white->check(number_from(0.001, 10000.0))->needs(black)->needs(gamma);
+  gamma->check(number_from(0.5, 5.0))->needs(black)->needs(white);
   command->add_option("--file", options->file, "Where to keep it instead of the user's settings");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->callback([options, &chosen] { chosen = [options] { return screen(*options); }; });

@@ -224,7 +224,7 @@ void add_timing(CLI::App& app, Command& chosen) {
       "timing", "Measure this machine's flips, input and gaze in time: a page for the methods");
   command->add_option("--out", options->out, "The folder to write to")->capture_default_str();
   command->add_option("--seconds", options->seconds, "That each of the six or seven parts takes")
-      ->check(CLI::Range(1.0, 3600.0))
+      ->check(number_from(1.0, 3600.0))
       ->capture_default_str();
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->add_option("--screen", options->screen_file,

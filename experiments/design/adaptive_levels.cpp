@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 namespace impetus::inline design {
 namespace {
@@ -69,6 +71,9 @@ std::vector<FactorLevel> AdaptiveTrack::state() const {
 }
 
 std::vector<TrackPlan> adaptive_tracks(const Design& design) {
+  if (!design.adaptive) {
+    return {};
+  }
   Design others = design;
   const std::size_t place = factor_place(design, design.adaptive->factor);
   others.factors.erase(others.factors.begin() + static_cast<std::ptrdiff_t>(place));
@@ -104,8 +109,18 @@ AdaptiveLevels::AdaptiveLevels(const Design& design) : design_(design) {
   }
 }
 
+std::size_t AdaptiveLevels::place_of_track(const PlannedTrial& trial) const {
+  const std::int64_t track = trial.track.value();
+  if (track < 0 || static_cast<std::size_t>(track) >= tracks_.size()) {
+    throw std::runtime_error("trial " + std::to_string(trial.slot) +
+                             " of the plan: expected one of " + std::to_string(tracks_.size()) +
+                             " tracks, got track " + std::to_string(track));
+  }
+  return static_cast<std::size_t>(track);
+}
+
 ChosenLevel AdaptiveLevels::choose(const PlannedTrial& trial) const {
-  const AdaptiveTrack& track = tracks_.at(static_cast<std::size_t>(trial.track.value()));
+  const AdaptiveTrack& track = tracks_[place_of_track(trial)];
   const Factor& factor = design_.factors[factor_];
   ChosenLevel chosen{trial.slot, trial.condition, track.state()};
   std::erase_if(chosen.condition,
@@ -120,8 +135,7 @@ void AdaptiveLevels::take(const PlannedTrial& shown, std::optional<bool> positiv
     const std::vector<LevelValue>& levels = design_.factors[factor_].levels;
     const std::size_t level = index_of(levels, shown.condition.at(factor_).value);
     const bool known = level < levels.size();
-    tracks_.at(static_cast<std::size_t>(*shown.track))
-        .answer(level, known ? positive : std::nullopt);
+    tracks_[place_of_track(shown)].answer(level, known ? positive : std::nullopt);
   }
 }
 

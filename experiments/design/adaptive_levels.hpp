@@ -66,6 +66,9 @@ class AdaptiveLevels {
   void take(const PlannedTrial& shown, std::optional<bool> positive);
 
  private:
+  /// Throws std::runtime_error where the plan names a track that the design has not.
+  [[nodiscard]] std::size_t place_of_track(const PlannedTrial& trial) const;
+
   Design design_;
   std::size_t factor_{0};  ///< the adaptive one
   std::vector<AdaptiveTrack> tracks_;

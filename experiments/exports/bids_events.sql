@@ -28,8 +28,8 @@ UNION ALL
 -- other answers
 SELECT response.question_shown_ns, (response.arrived_ns - response.question_shown_ns) / 1e9,
     response.kind, shown.slot, shown.phase, shown.number, shown.outcome, NULL, shown.repetition,
-    shown.block, shown.catch, response.answer, (response.arrived_ns - response.question_shown_ns) /
-    1e9, NULL, NULL, NULL, NULL, NULL, shown.condition FROM response
+    shown.block, shown.catch, response.answer, CASE WHEN NOT response.timed_out THEN
+    (response.arrived_ns - response.question_shown_ns) / 1e9 END, NULL, NULL, NULL, NULL, NULL, shown.condition FROM response
   JOIN shown ON shown.id = response.attempt_id
 UNION ALL
 -- clicks

@@ -71,6 +71,13 @@ OrderedJson factor_from(const std::string& vary, const OrderedJson& offered, boo
   if (!factor.contains("levels") || factor["levels"].size() < 2) {
     throw InputError("--vary: expected " + name + "= and two levels or more, got " + vary);
   }
+  const OrderedJson& levels = factor["levels"];
+  if (std::any_of(levels.begin(), levels.end(), [&](const OrderedJson& level) {
+        return level == "" || level.type() != levels.front().type();
+      })) {
+    throw InputError("--vary: expected levels of " + name +
+                     " that are all numbers or all words, got " + vary);
+  }
   return factor;
 }
 

@@ -118,6 +118,17 @@ std::string showing_words(const Scene& scene) {
          (showing.hidden_after_s ? std::string("; hidden then, though the scene would go on") : "");
 }
 
+/// By which keys and how soon it is to be answered, where the protocol says so.
+std::string answering_words(const Question& question) {
+  std::string words;
+  for (const std::string& key : question.keys()) {
+    words += (words.empty() ? "; by the keys " : ", ") + markdown_text(key);
+  }
+  return words + (question.timeout_ms() > 0.0
+                      ? "; at most " + number_words(question.timeout_ms()) + " ms to answer"
+                      : "");
+}
+
 std::string trial(const Protocol& protocol) {
   const Script& script = protocol.script;
   const StimulusLength length = stimulus_length(protocol);
@@ -138,7 +149,7 @@ std::string trial(const Protocol& protocol) {
     if (question->kind().during_stimulus) {
       what += "; " + words;
     } else {
-      questions += table_row({"then", words});
+      questions += table_row({"then", words + answering_words(*question)});
     }
   }
   if (script.gaze) {

@@ -76,6 +76,7 @@ class ChoiceQuestion final : public Question {
     }
   }
 
+  [[nodiscard]] double timeout_ms() const override { return timeout_ms_; }
   [[nodiscard]] const ResponseKind& kind() const override { return choice_kind(); }
   [[nodiscard]] std::size_t keyed_answers() const override { return options_.size(); }
   [[nodiscard]] std::vector<std::string> keys() const override { return keys_; }

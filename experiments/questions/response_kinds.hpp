@@ -112,6 +112,8 @@ class Question {
   [[nodiscard]] virtual std::size_t keyed_answers() const { return 0; }
   /// The keys that the protocol's block chooses for them; none: the page has its own.
   [[nodiscard]] virtual std::vector<std::string> keys() const { return {}; }
+  /// How long there is to answer; 0: as long as one likes.
+  [[nodiscard]] virtual double timeout_ms() const { return 0.0; }
   /// Factors by whose levels it is chosen what is asked: they need change nothing of the scene.
   [[nodiscard]] virtual std::vector<std::string> asked_by() const { return {}; }
   /// Bodies that every scene of the protocol must have, each with its place in the protocol.

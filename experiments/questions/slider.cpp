@@ -85,6 +85,7 @@ class SliderQuestion final : public Question {
     }
   }
 
+  [[nodiscard]] double timeout_ms() const override { return timeout_ms_; }
   [[nodiscard]] const ResponseKind& kind() const override { return slider_kind(); }
 
   [[nodiscard]] std::vector<std::string> asked_by() const override {

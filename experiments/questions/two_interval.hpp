@@ -37,6 +37,7 @@ class TwoIntervalQuestion final : public Question {
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override;
   void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) const override;
   [[nodiscard]] Text feedback(const AttemptRecord& record, const Language& language) const override;
+  [[nodiscard]] double timeout_ms() const override { return timeout_ms_; }
   [[nodiscard]] std::string explanation(const Words& words) const override;
 
  private:

@@ -73,6 +73,7 @@ class YesNoQuestion final : public Question {
     }
   }
 
+  [[nodiscard]] double timeout_ms() const override { return timeout_ms_; }
   [[nodiscard]] const ResponseKind& kind() const override { return yes_no_kind(); }
   [[nodiscard]] std::size_t keyed_answers() const override { return 2; }
   [[nodiscard]] std::vector<std::string> keys() const override { return keys_; }
@@ -131,7 +132,9 @@ class YesNoQuestion final : public Question {
            words(no_.value_or("no")) +
            (right_touch_ ? "; yes is right where " + words((*right_touch_)[0]) + " and " +
                                words((*right_touch_)[1]) + " touch by the scene's end"
-                         : "");
+            : right_factor_ ? "; yes is right where " + words(*right_factor_) + " is above " +
+                                  to_text(LevelValue{*right_above_})
+                            : "");
   }
 
  private:

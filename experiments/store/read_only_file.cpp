@@ -46,9 +46,13 @@ void require_files(const std::filesystem::path& path) {
   }
 }
 
+std::string plain_name(const std::filesystem::path& path) {
+  return (path.is_relative() ? "." / path : path).string();
+}
+
 std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& path) {
   constexpr int kPatience_ms = 2000;
-  auto database = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READONLY);
+  auto database = std::make_unique<SQLite::Database>(plain_name(path), SQLite::OPEN_READONLY);
   database->setBusyTimeout(kPatience_ms);
   try {
     read_something(*database);

@@ -6,12 +6,16 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace impetus::inline store {
 
 /// Throws InputError where the study, its log or its journal is something else than a file: a named
 /// pipe would be waited for. What is not there is no matter.
 void require_files(const std::filesystem::path& path);
+
+/// The file's name as SQLite opens a file by it, though it be called ":memory:" or "file:...".
+std::string plain_name(const std::filesystem::path& path);
 
 /// Opens the database for reading. A copy that was left in write-ahead mode without its log, in a
 /// folder that cannot be written, is read as what it is: a file that nobody changes. Throws

@@ -310,10 +310,11 @@ CREATE TABLE rating (
   CHECK (best IN (minimum, maximum))
 ) STRICT;
 
--- Answers to a trial's questions other than ratings, in the order asked.
+-- Answers to a trial's questions other than ratings; question_shown_ns tells in which order they were
+-- asked.
 CREATE TABLE response (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
-  number INTEGER NOT NULL CHECK (number >= 1),  -- in the order asked
+  number INTEGER NOT NULL CHECK (number >= 1),  -- of the kinds in their order, whatever was asked first
   kind TEXT NOT NULL,                 -- 'yes_no', 'two_interval', 'choice', ...
   question TEXT NOT NULL,             -- the words that were asked
   answer TEXT,                        -- 'yes', 'first', free words; NULL: timed out or left empty

@@ -42,7 +42,7 @@ std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::
     rescued = path;
     rescued.replace_extension(".rescued-" + std::to_string(number) + path.extension().string());
   }
-  execute(database, "VACUUM INTO ?", rescued.string());
+  execute(database, "VACUUM INTO ?", plain_name(rescued));
   return rescued;
 }
 
@@ -109,7 +109,7 @@ void keep_original(SQLite::Database& database, const std::filesystem::path& path
                      " before it is brought to version " + std::to_string(kSchemaVersion) +
                      ", but there is such a file");
   }
-  execute(database, "VACUUM INTO ?", kept.string());
+  execute(database, "VACUUM INTO ?", plain_name(kept));
   std::fprintf(stderr, "note: %s is of schema version %lld; it is kept as %s and brought to %lld\n",
                path.c_str(), static_cast<long long>(version), kept.c_str(),
                static_cast<long long>(kSchemaVersion));
@@ -164,7 +164,7 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
   study.lock_ = take_lock(study.name_);
   require_writable_folder(path, study.name_);
   try {
-    study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READWRITE);
+    study.database_ = std::make_unique<SQLite::Database>(plain_name(path), SQLite::OPEN_READWRITE);
     study.database_->setBusyTimeout(2000);
     const bool fresh = is_empty(*study.database_, study.name_);
     const std::int64_t version =

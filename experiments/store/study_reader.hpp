@@ -74,7 +74,7 @@ struct StoredResponse {
   std::string detail;  ///< what else its kind records: JSON
 };
 
-/// The responses of an attempt in the order asked.
+/// The responses of an attempt by their numbers.
 std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id);
 
 /// Stimulus time (seconds) and missed slots of the frames of an attempt's interval that were late.

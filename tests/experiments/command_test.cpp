@@ -38,6 +38,18 @@ TEST(CommandLine, HelpAndVersionAreNoFailure) {
   }
 }
 
+TEST(CommandLine, WhatCannotBePrintedInFullIsAFailureUnlessNobodyIsToReadIt) {
+  const TemporaryFolder folder;
+  const ProgramResult full = run_program(folder, {"check", causality_file()},
+                                         [] { dup2(open("/dev/full", O_WRONLY), STDOUT_FILENO); });
+  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(full.errors, "impetus: what was to be printed could not be written in full\n");
+  const ProgramResult closed =
+      run_program(folder, {"check", causality_file()}, [] { close(STDOUT_FILENO); });
+  EXPECT_EQ(closed.status, 0);
+  EXPECT_EQ(closed.errors, "");
+}
+
 TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
   const TemporaryFolder folder;
   const std::vector<std::pair<Words, std::string>> cases{
@@ -46,6 +58,7 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
       {{"replay"}, "study is required"},
       {{"check", causality_file(), "--refresh", "5"},
        "--refresh: Value 5 not in range 20.000000 to 1000.000000"},
+      {{"check", causality_file(), "--refresh", "nan"}, "--refresh: expected a number, got nan"},
       {simulated_run({"--participant", "S01", "--fast"}),
        "The following argument was not expected: --fast"},
       {simulated_run({"--participant", "S01", "--sed", "4"}),

@@ -1,7 +1,6 @@
 // `impetus film`: a recorded trial as a film of what was shown; or a scene, or all stimuli of a
 // protocol, for who shows them by another program.
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -225,7 +224,7 @@ void add_film(CLI::App& app, Command& chosen) {
   command
       ->add_option("--refresh", options->refresh_hz,
                    "Of a scene or protocol: frames per second (default: 60)")
-      ->check(CLI::Range(20.0, 1000.0));
+      ->check(number_from(20.0, 1000.0));
   command->add_flag("--allow-rounding", options->allow_rounding,
                     "Of a protocol: round delays to whole frames, as `run` would with this option");
   command->callback([options, &chosen] { chosen = [options] { return film(*options); }; });

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands/named_observer.hpp"
+#include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
-#include "experiments/protocol/screen_file.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline commands {
@@ -112,7 +112,7 @@ PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
   question.protocol_hash = part.protocol.hash;
   question.observer = part.lab.observer->document.value.dump();
   question.null_observer = without ? without->document.value.dump() : "";
-  question.screen = screen_json(assumed_screen());
+  question.screen = screen_json(screen_without_window(options.screen_file));
   question.response = response;
   question.model = options.model;
   question.factors = tested_factors(part.protocol, options).dump();
@@ -188,8 +188,9 @@ void add_options(CLI::App& command, PowerOptions& options) {
                   "So many studies at a time (default: as many as there are cores)")
       ->check(CLI::Range(1, 1000));
   command.add_flag("--allow-rounding", options.allow_rounding, "Round a delay to whole frames");
-  command.add_option("--screen", options.screen_file,
-                     "The lab's screen file (default: what `impetus screen` saved)");
+  command.add_option(
+      "--screen", options.screen_file,
+      "The lab's screen file, for simulated participants to look at (default: an assumed screen)");
   command
       .add_option("--out", options.out,
                   "The folder of the ledger and the results; the same one goes on, and may be "

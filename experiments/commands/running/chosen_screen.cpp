@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/chosen_screen.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -54,6 +55,17 @@ ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& windo
                  : told(assumed_screen(shown.width_px, shown.height_px));
 }
 #endif
+
+ScreenGeometry screen_without_window(const std::string& file) {
+  const ScreenGeometry assumed = assumed_screen();
+  if (file.empty()) {
+    return assumed;
+  }
+  const ScreenGeometry entered = load_screen(file).geometry;
+  const double px_per_m = assumed.height_px / entered.height_m;
+  return load_screen_of(file, static_cast<int>(std::lround(px_per_m * entered.width_m)),
+                        assumed.height_px);
+}
 
 std::optional<ScreenLight> chosen_light(const std::string& file) {
   const auto entered = screen_file(file);

@@ -23,6 +23,10 @@ ScreenGeometry chosen_screen(const std::string& file);
 ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& window);
 #endif
 
+/// What a simulated participant without a window looks at: the file's screen, 1024 pixels high, or
+/// an assumed one where `file` is "". Throws InputError.
+ScreenGeometry screen_without_window(const std::string& file);
+
 /// The light of the same file's screen; none: there is none, or it was not measured.
 std::optional<ScreenLight> chosen_light(const std::string& file);
 

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/protocol/screen_file.hpp"
 
@@ -48,7 +49,8 @@ constexpr const char* kNoWindow =
 class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
-      : display_(clock_, kHeadlessHz, assumed_screen()),
+      : screen_file_(options.screen_file.string()),
+        display_(clock_, kHeadlessHz, screen_without_window(screen_file_)),
         observer_(make_observer(*options.observer,
                                 {options.seed, options.participant, clock_, clock_})) {}
 
@@ -64,9 +66,13 @@ class HeadlessLaboratory final : public Laboratory {
   [[nodiscard]] std::string description() const override {
     return "headless, virtual time, 60 Hz; flips happen exactly when they are due";
   }
-  [[nodiscard]] bool screen_measured() const override { return false; }
+  [[nodiscard]] bool screen_measured() const override { return !screen_file_.empty(); }
+  [[nodiscard]] std::optional<ScreenLight> screen_light() const override {
+    return screen_file_.empty() ? std::nullopt : chosen_light(screen_file_);
+  }
 
  private:
+  std::string screen_file_;  ///< "": the screen is assumed
   VirtualClock clock_;
   HeadlessDisplay display_;
   NoSounds silence_;
@@ -187,6 +193,7 @@ class WindowLaboratory final : public Laboratory {
 
 double refresh_hz_of(const LaboratoryOptions& options) {
   if (!options.has_window()) {
+    screen_without_window(options.screen_file.string());  // what is wrong with it is told now
     return kHeadlessHz;
   }
 #ifdef IMPETUS_WINDOW
@@ -214,10 +221,8 @@ std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options) 
     return options.observer ? std::optional(assumed_screen(shown.width_px, shown.height_px))
                             : std::nullopt;
   }
-#else
-  static_cast<void>(options);
 #endif
-  return assumed_screen();
+  return screen_without_window(options.screen_file.string());
 }
 
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {

@@ -13,6 +13,7 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/participant_run.hpp"
 #include "experiments/commands/running/run_part.hpp"
@@ -23,7 +24,6 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/series_file.hpp"
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/provenance/machine_name.hpp"
@@ -39,15 +39,15 @@ namespace {
 
 // `impetus run` of a protocol in which nobody takes part: its trials are simulated and stored.
 
-/// Of a sitting without display and participant, before an assumed screen.
-SessionFacts facts_without_laboratory() {
+/// Of a sitting without display and participant.
+SessionFacts facts_without_laboratory(const ScreenGeometry& screen) {
   constexpr double kNominalHz = 60.0;  // of frames that there are none of
   SessionFacts facts;
   facts.build = build_name();
   facts.machine = machine_name();
   facts.display = "none: simulated, and shown to nobody";
   facts.simulated = true;
-  facts.screen = assumed_screen();
+  facts.screen = screen;
   facts.refresh_hz = kNominalHz;
   facts.sync.passed = true;
   return facts;
@@ -71,18 +71,18 @@ RunOptions as_nobody(RunOptions options) {
   return options;
 }
 
-/// Runs the trials that are left, with a line of progress, before an assumed screen. `options` are
+/// Runs the trials that are left, with a line of progress. `options` are
 /// as_nobody()'s. Returns the session that was saved. Throws what the recorder throws.
 std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study) {
   const std::optional<Enrolment> resumed = find_to_resume(study, part, options);
   const Enrolment enrolment =
       resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
-  StudyWriter writer(study, enrolment, facts_without_laboratory());
+  const ScreenGeometry screen = screen_without_window(options.screen_file);
+  StudyWriter writer(study, enrolment, facts_without_laboratory(screen));
   const ProtocolScenes scenes(part.protocol, 0.0);
   ProgressLine line("simulating");
-  run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes,
-                 assumed_screen(), writer, SteadyClock(),
-                 [&line](double share) { line.tell(share); });
+  run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes, screen,
+                 writer, SteadyClock(), [&line](double share) { line.tell(share); });
   writer.end("finished");
   tell_not_finite(writer);
   return writer.session_id();
@@ -332,8 +332,10 @@ void add_run(CLI::App& app, Command& chosen) {
       ->check([](const std::string& given) {
         return is_tracker_url(given) ? std::string() : CLI::ExistingFile(given);
       });
-  command->add_option("--screen", options->screen_file,
-                      "The lab's screen file (default: what `impetus screen` saved)");
+  command->add_option(
+      "--screen", options->screen_file,
+      "The lab's screen file (default: what `impetus screen` saved; without a window, an "
+      "assumed screen)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->add_option(
       "--photodiode", options->photodiode,

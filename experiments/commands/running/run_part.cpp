@@ -17,6 +17,7 @@
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/trackers/tracker_kinds.hpp"
 #ifdef IMPETUS_WINDOW
 #include "experiments/window/window.hpp"
@@ -57,8 +58,7 @@ void require_fonts(const RunPart& part) {
   const auto missing =
       part.lab.has_window() ? first_letter_without_font(part.lab.letters) : std::nullopt;
   if (missing) {
-    char code[8];
-    std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(*missing));
+    const std::string code = printed("U+%04X", static_cast<unsigned>(*missing));
     refuse(
         part.protocol.document, "",
         std::string("expected a font that has all letters of the protocol and its language, but ") +

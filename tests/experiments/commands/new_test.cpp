@@ -148,6 +148,12 @@ TEST(New, RefusesInASentenceAndLeavesNothing) {
   EXPECT_EQ(refused({"--vary", "weight=1,2"}),
             "impetus: --vary: expected one of restitution, angle_deg, speed_deg_s, delay_ms, "
             "gap_arcmin, offset_deg, or a JSON Pointer into the scene, got weight\n");
+  for (const std::string levels : {"restitution=.2,.5,", "restitution=.2,x"}) {
+    EXPECT_EQ(
+        refused({"--vary", levels}),
+        "impetus: --vary: expected levels of restitution that are all numbers or all words, got " +
+            levels + "\n");
+  }
   EXPECT_EQ(refused({"--vary", "restitution=1"}),
             "impetus: --vary: expected restitution= and two levels or more, got restitution=1\n");
   EXPECT_EQ(

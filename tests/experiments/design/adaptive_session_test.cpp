@@ -255,6 +255,17 @@ TEST(AdaptiveReplay, TellsALevelThatAnotherOneShouldHaveBeen) {
                                       to_text(lab.recorder.levels[4].condition[0].value));
 }
 
+TEST(AdaptiveReplay, TellsATrackThatTheDesignHasNot) {
+  AdaptiveLab lab;
+  lab.run();
+  Design design = lab.protocol.design;
+  design.adaptive.reset();
+  const auto divergences = level_divergences(design, lab.recorded());
+  ASSERT_EQ(divergences.size(), lab.recorded().size());
+  EXPECT_EQ(divergences[0].words,
+            "its track is " + std::to_string(lab.recorded()[0].track) + ", but the design has 0");
+}
+
 TEST(AdaptiveReplay, TellsAChangedAnswerAtTheNextTrialOfItsTrack) {
   AdaptiveLab lab;
   lab.run();

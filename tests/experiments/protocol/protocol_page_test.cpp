@@ -79,4 +79,18 @@ TEST(ProtocolPage, ChangesWithTheDesign) {
   EXPECT_NE(after.find("54 trials after 6 of practice"), std::string::npos);
 }
 
+TEST(ProtocolPage, SaysByWhichKeysAndHowSoonToAnswerAndWhatIsRight) {
+  const std::string page =
+      protocol_page(Study()
+                        .with("/yes_no", {{"question", "Late?"},
+                                          {"keys", "j n"},
+                                          {"timeout_ms", 4000},
+                                          {"right_when", {{"factor", "delay_ms"}, {"above", 0}}}})
+                        .made());
+  EXPECT_NE(
+      page.find("yes is right where delay_ms is above 0; by the keys j, n; at most 4000 ms to "
+                "answer |"),
+      std::string::npos);
+}
+
 }  // namespace impetus::protocol_page_test
