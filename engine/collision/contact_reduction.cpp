@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <tuple>
 
 #include "engine/collision/contact_patches.hpp"
+#include "engine/scheduling/named_kinds.hpp"
 
 namespace impetus::inline collision {
 namespace {
@@ -112,24 +111,23 @@ class MeanContact final : public ContactSums {
   std::int64_t count_{0};
 };
 
-using MakeReduction = std::shared_ptr<const ContactReduction> (*)();
-
 template <class Sums>
 std::shared_ptr<const ContactReduction> by() {
   return std::make_shared<const ReductionBy<Sums>>();
 }
 
-/// A line of the table.
-struct NamedReduction {
-  std::string_view name;
-  MakeReduction make;
-};
-
-constexpr NamedReduction kTable[] = {
-    {"none", by<EveryContact>},       {"first", by<FirstContact>},
-    {"average", by<MeanContact>},     {"groups", by<GroupedContacts>},
-    {"density", by<DensityContacts>}, {"weighted", by<WeightedContacts>},
-};
+const NamedKinds<ContactReduction>& all_reductions() {
+  static const NamedKinds<ContactReduction> all("reduction",
+                                                {
+                                                    {"none", by<EveryContact>()},
+                                                    {"first", by<FirstContact>()},
+                                                    {"average", by<MeanContact>()},
+                                                    {"groups", by<GroupedContacts>()},
+                                                    {"density", by<DensityContacts>()},
+                                                    {"weighted", by<WeightedContacts>()},
+                                                });
+  return all;
+}
 
 }  // namespace
 
@@ -140,24 +138,10 @@ double time_since_entry_s(double reach_m, double depth_m, double approach_m_s, d
   return divisor > 0.0 ? left / divisor : 0.0;
 }
 
-std::vector<std::string_view> reduction_names() {
-  std::vector<std::string_view> names;
-  for (const NamedReduction& each : kTable) {
-    names.push_back(each.name);
-  }
-  return names;
-}
+std::vector<std::string_view> reduction_names() { return all_reductions().names(); }
 
 std::shared_ptr<const ContactReduction> make_reduction(std::string_view name) {
-  std::string known;
-  for (const NamedReduction& each : kTable) {
-    if (each.name == name) {
-      return each.make();
-    }
-    known += (known.empty() ? "" : ", ") + std::string(each.name);
-  }
-  throw std::invalid_argument("reduction: expected one of " + known + ", got \"" +
-                              std::string(name) + "\"");
+  return all_reductions().called(name);
 }
 
 const ContactReduction& reduction_of(const ContactModel& model) {

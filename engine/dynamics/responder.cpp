@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dynamics/responder.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <utility>

@@ -2,7 +2,6 @@
 #include "engine/figures/figure_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/figures/as_one_body.hpp"
 #include "engine/numerics/at.hpp"

@@ -166,6 +166,18 @@ bool needs_terms(std::string_view name) {
   return metric != nullptr && metric->takes_terms;
 }
 
+MetricOptions options_for(std::string_view name, const MetricOptions& all) {
+  MetricOptions options;
+  if (takes_point(name)) {
+    options.point = all.point;
+  }
+  if (needs_terms(name)) {
+    options.terms = all.terms;
+  }
+  options.noticing = all.noticing;
+  return options;
+}
+
 std::vector<std::string_view> metric_names() {
   std::vector<std::string_view> names;
   for (const NamedMetric& metric : kMetrics) {

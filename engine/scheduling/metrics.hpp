@@ -42,6 +42,9 @@ bool takes_point(std::string_view name);
 /// Whether a metric is made of MetricOptions::terms, and needs some.
 bool needs_terms(std::string_view name);
 
+/// What the metric called `name` takes of them.
+MetricOptions options_for(std::string_view name, const MetricOptions& all);
+
 /// The names make_metric() takes, in alphabetical order.
 std::vector<std::string_view> metric_names();
 

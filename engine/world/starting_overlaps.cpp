@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/world/starting_overlaps.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "engine/collision/pair_refinement.hpp"
 
 namespace impetus::inline world {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/figures/as_one_body.hpp"
 #include "engine/world/phases.hpp"
 
 namespace impetus::inline world {
@@ -91,6 +92,8 @@ void World::change_settings(WorldSettings changed) {
   require(problem.empty(), problem.c_str());
   settings_ = std::move(changed);
 }
+
+double World::kinetic_energy_J() const { return kinetic_energy(models(), states()); }
 
 std::int64_t World::nodes_transformed() const {
   std::int64_t count = 0;

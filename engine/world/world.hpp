@@ -35,6 +35,7 @@ class World {
   [[nodiscard]] const std::vector<BodyModel>& models() const { return state_.models; }
   [[nodiscard]] const std::vector<BodyState>& states() const { return state_.states; }
   [[nodiscard]] const WorldSettings& settings() const { return settings_; }
+  [[nodiscard]] double kinetic_energy_J() const;  ///< of all bodies
 
   /// Another schedule from the next step on. Throws std::invalid_argument when it is out of range.
   void set_schedule(Schedule schedule);

@@ -14,6 +14,7 @@
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/provenance/machine_name.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -50,9 +51,7 @@ std::vector<ExtremeCase> chosen_cases(const std::string& only) {
 }
 
 std::string with_unit(double number, const std::string& unit) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.3g%s%s", number, unit.empty() ? "" : " ", unit.c_str());
-  return text;
+  return printed("%.3g%s%s", number, unit.empty() ? "" : " ", unit.c_str());
 }
 
 /// The figures of one case, a promise a line.
@@ -61,14 +60,11 @@ void print_case(const ExtremeCase& extreme, const std::vector<ExtremeResult>& re
   for (std::size_t i = 0; i < results.size(); ++i) {
     const ExtremePromise& promise = extreme.promises[i];
     const ExtremeResult& result = results[i];
-    char took[32] = "";
-    if (i == 0) {
-      std::snprintf(took, sizeof took, "%.1f s", took_s);
-    }
+    const std::string took = i == 0 ? printed("%.1f s", took_s) : "";
     std::printf("  %-19s %-10s %-10s %-8s %7s  %s", i == 0 ? extreme.name.c_str() : "",
                 with_unit(result.measured, promise.unit).c_str(),
                 with_unit(promise.at_most, promise.unit).c_str(), result.kept ? "kept" : "NOT KEPT",
-                took, promise.sentence.c_str());
+                took.c_str(), promise.sentence.c_str());
     if (!result.kept && !result.worst_at.empty()) {
       std::printf(" (at %s)", result.worst_at.c_str());
     }

@@ -1,7 +1,6 @@
 // `impetus observers`: the simulated participants that there are, or one of them whole.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>

@@ -24,6 +24,7 @@
 #include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/text_table.hpp"
 
 namespace impetus::inline commands {
@@ -80,11 +81,7 @@ std::string words_of(const Condition& condition, const std::vector<Shown>& all) 
 
 std::string outcome(bool through) { return through ? "through" : "misses"; }
 
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1f", 100.0 * share);
-  return text;
-}
+std::string percent(double share) { return printed("%.1f", 100.0 * share); }
 
 /// Where every body is at every step, in pixels of the plane and in degrees: a row for each.
 void write_path(const Protocol& protocol, const Shown& shown, const std::string& words,
@@ -97,10 +94,9 @@ void write_path(const Protocol& protocol, const Shown& shown, const std::string&
       if (run.world().models()[body].inverse_mass > 0.0) {
         const Vector3 deg = run.world().states()[body].pose.position / m_per_deg;
         const Vector3 px = settings.plane->px_per_deg * deg;
-        char numbers[120];
-        std::snprintf(numbers, sizeof numbers, "%.6f,%.4f,%.4f",
-                      static_cast<double>(run.number()) / shown.scene.step_hz,
-                      px.x() + settings.plane->origin_px[0], px.y() + settings.plane->origin_px[1]);
+        const std::string numbers =
+            printed("%.6f,%.4f,%.4f", static_cast<double>(run.number()) / shown.scene.step_hz,
+                    px.x() + settings.plane->origin_px[0], px.y() + settings.plane->origin_px[1]);
         file << csv_text(words) << ',' << csv_text(run.world().models()[body].name) << ','
              << numbers << '\n';
       }

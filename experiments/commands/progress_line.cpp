@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "experiments/tables/number_text.hpp"
+
 namespace impetus::inline commands {
 namespace {
 
@@ -17,9 +19,7 @@ std::string counted(long count, const char* unit) { return std::to_string(count)
 
 std::string duration_words(double seconds) {
   if (seconds < 9.95) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.1f s", seconds);
-    return text;
+    return printed("%.1f s", seconds);
   }
   if (std::lround(seconds) < 120) {
     return counted(std::lround(seconds), "s");

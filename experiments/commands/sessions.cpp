@@ -1,8 +1,6 @@
 // `impetus sessions`: who takes part in a study, how far they came, how each sitting went.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +11,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/session_list.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/text_table.hpp"
 
 namespace impetus::inline commands {
@@ -36,26 +35,17 @@ std::string moment(const std::string& utc) {
 
 /// "45 s", "23 min" or "3.2 h".
 std::string span(double seconds) {
-  std::array<char, 32> words{};
-  if (seconds < 120.0) {
-    std::snprintf(words.data(), words.size(), "%.0f s", seconds);
-  } else if (seconds < 7200.0) {
-    std::snprintf(words.data(), words.size(), "%.0f min", seconds / 60.0);
-  } else {
-    std::snprintf(words.data(), words.size(), "%.1f h", seconds / 3600.0);
-  }
-  return words.data();
+  return seconds < 120.0    ? printed("%.0f s", seconds)
+         : seconds < 7200.0 ? printed("%.0f min", seconds / 60.0)
+                            : printed("%.1f h", seconds / 3600.0);
 }
 
 std::string late_frames(const Participation& one) {
-  std::array<char, 32> share{};
-  if (one.late_timed_frames > 0) {
-    std::snprintf(
-        share.data(), share.size(), " (%.2g %%)",
-        100.0 * static_cast<double>(one.late_timed_frames) / static_cast<double>(one.timed_frames));
-  }
-  return std::to_string(one.late_timed_frames) + " of " + std::to_string(one.timed_frames) +
-         share.data();
+  const std::string counts =
+      std::to_string(one.late_timed_frames) + " of " + std::to_string(one.timed_frames);
+  const double late_percent =
+      100.0 * static_cast<double>(one.late_timed_frames) / static_cast<double>(one.timed_frames);
+  return one.late_timed_frames > 0 ? counts + printed(" (%.2g %%)", late_percent) : counts;
 }
 
 std::string ending(const ListedSession& sitting) {

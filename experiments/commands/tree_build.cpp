@@ -54,17 +54,9 @@ TriangleMesh mesh_of(const BuildOptions& options) {
   return load_mesh(options.what);
 }
 
-double diagonal_m(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d bounds;
-  for (const Vector3& vertex : mesh.vertices) {
-    bounds.extend(vertex);
-  }
-  return bounds.diagonal().norm();
-}
-
 /// Protrusion as a share of the bounding box's diagonal, volume as a share of the mesh's.
 void print_levels(const StoredTree& stored) {
-  const double percent = 100.0 / diagonal_m(stored.mesh);
+  const double percent = 100.0 / bounds_of(stored.mesh).sides().norm();
   std::printf(
       "level     nodes  worst protrusion     mean  outside/mesh  largest node      memory\n");
   for (std::size_t level = 0; level < stored.quality.size(); ++level) {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "experiments/settings/input_error.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 
@@ -64,12 +64,9 @@ PictureSize picture_size(int width_px, int height_px, const ScreenGeometry& scre
       picture_px("--height", height_px, is_own ? screen.height_px : even(size.width_px / shape));
   const double off_px = std::abs(size.width_px - shape * size.height_px);
   if (off_px > std::max(2.0 * shape, kOffShape * size.width_px)) {
-    char text[120];
-    std::snprintf(
-        text, sizeof text,
-        "--width, --height: expected the shape of the screen, %.4g : 1, got %d x %d pixels", shape,
-        size.width_px, size.height_px);
-    throw InputError(text);
+    throw InputError(
+        printed("--width, --height: expected the shape of the screen, %.4g : 1, got %d x %d pixels",
+                shape, size.width_px, size.height_px));
   }
   return size;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/picture_map.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/rounded_box_mesh.hpp"
 
-#include <cstddef>
 #include <utility>
 
 namespace impetus::inline drawing {

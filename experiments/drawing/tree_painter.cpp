@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "experiments/drawing/gl.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline drawing {
 namespace {
@@ -76,20 +76,6 @@ Colour node_colour(const VolumeTree& tree, std::int32_t node, TreeColour colour)
   return kLevelColours[static_cast<std::size_t>(level_of(tree, node)) % kLevelColours.size()];
 }
 
-std::string printed(const char* format, double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-double diagonal_m(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d bounds;
-  for (const Vector3& vertex : mesh.vertices) {
-    bounds.extend(vertex);
-  }
-  return bounds.isEmpty() ? 0.0 : bounds.diagonal().norm();
-}
-
 constexpr double kShownRadiusM = 0.05;  ///< suits the depth that all painters of this room share
 constexpr double kDistanceInRadii = 7.0;
 constexpr double kTreeRoom = 1.06;
@@ -141,7 +127,9 @@ bool same_volumes(const TreeLook& one, const TreeLook& other) {
 }  // namespace
 
 std::vector<LegendLine> legend_of(const ShownTree& shown, int level) {
-  const double percent = 100.0 / std::max(diagonal_m(shown.mesh), 1e-300);
+  const double diagonal_m =
+      shown.mesh.triangles.empty() ? 0.0 : bounds_of(shown.mesh).sides().norm();
+  const double percent = 100.0 / std::max(diagonal_m, 1e-300);
   if (shown.quality.empty()) {
     return {{"nodes", std::to_string(shown.tree.standing_at(level).size())},
             {"protrusion, bound", printed("%.3g %%", percent * shown.tree.fit_error_m(level))}};

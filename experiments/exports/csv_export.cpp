@@ -4,7 +4,6 @@
 #include <SQLiteCpp/Database.h>
 
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "experiments/exports/export_table.hpp"
 #include "experiments/exports/row_query.hpp"

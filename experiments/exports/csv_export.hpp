@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
 
 #include "experiments/exports/codebook.hpp"
 #include "experiments/store/study_file.hpp"

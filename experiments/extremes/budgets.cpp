@@ -16,14 +16,6 @@ struct Breaches {
   double energy_gain{0.0};  ///< as a share of that at the start
 };
 
-double energy_J(const World& world) {
-  double sum = 0.0;
-  for (std::size_t body = 0; body < world.models().size(); ++body) {
-    sum += kinetic_energy(world.models()[body], world.states()[body]);
-  }
-  return sum;
-}
-
 bool has(const StepReport& report, const BodyPair& bodies) {
   return std::any_of(report.collisions.begin(), report.collisions.end(),
                      [&](const CollisionReport& collision) { return collision.bodies == bodies; });
@@ -41,7 +33,7 @@ Breaches step_within(World world, int steps, const BudgetOf& budget_of) {
   Breaches breaches;
   StepInput input;
   input.dt_s = 1.0 / 240.0;
-  const double start_J = energy_J(world);
+  const double start_J = world.kinetic_energy_J();
   int short_steps = 0;
   for (int step = 0; step < steps; ++step) {
     World unlimited = world;
@@ -60,7 +52,7 @@ Breaches step_within(World world, int steps, const BudgetOf& budget_of) {
         whole.collisions.begin(), whole.collisions.end(), [&](const CollisionReport& touching) {
           return !is_wall(touching.bodies.b) && !has(report, touching.bodies);
         }));
-    breaches.energy_gain = std::max(breaches.energy_gain, energy_J(world) / start_J - 1.0);
+    breaches.energy_gain = std::max(breaches.energy_gain, world.kinetic_energy_J() / start_J - 1.0);
   }
   breaches.untold = short_steps > 0 ? breaches.untold : static_cast<double>(steps);
   return breaches;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace impetus::inline extremes {
 namespace {

@@ -1,7 +1,6 @@
 // Speeds to a thousand kilometres per second, spins to ten thousand radians per second, time steps
 // from a microsecond to a tenth of a second, and runs of ten million of them.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

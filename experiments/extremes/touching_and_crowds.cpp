@@ -2,7 +2,6 @@
 // cubes that are too small for them.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "engine/numerics/random_stream.hpp"

@@ -2,7 +2,6 @@
 // millimetre thick.
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <utility>
 
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/extreme_cases.hpp"

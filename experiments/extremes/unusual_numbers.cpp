@@ -1,7 +1,6 @@
 // States that are no finite numbers, put in or made by a step; numbers below the smallest normal
 // one, and zeros with a sign.
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 

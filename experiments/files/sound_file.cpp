@@ -4,10 +4,11 @@
 #include <sndfile.h>
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 #include <string>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline files {
 namespace {
@@ -29,9 +30,8 @@ SoundSamples load_sound(const std::filesystem::path& path) {
   }
   const double lasts_s = static_cast<double>(info.frames) / info.samplerate;
   if (info.frames < 1 || lasts_s > kLongest_s) {
-    char words[80];
-    std::snprintf(words, sizeof words, "expected a sound of up to %g s, got one of %.3g s",
-                  kLongest_s, lasts_s);
+    const std::string words =
+        printed("expected a sound of up to %g s, got one of %.3g s", kLongest_s, lasts_s);
     refuse_file(path, words);
   }
   const auto channels = static_cast<std::size_t>(info.channels);

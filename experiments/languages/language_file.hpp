@@ -5,7 +5,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "experiments/languages/language.hpp"
 #include "experiments/settings/json_document.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/models/tree_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -7,7 +7,6 @@
 // μ_i belongs to the participant, d is how far full adaptation moves him. What is a launch to him
 // adapts him, whether it was asked about or not. (After Rolfs, Dambacher and Cavanagh 2013)
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
 #include "experiments/observers/observer_kinds.hpp"
 #include "experiments/observers/shown_truths.hpp"

@@ -7,7 +7,6 @@
 // rated is the impression: the better, the less is seen.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "experiments/observers/observer_kinds.hpp"

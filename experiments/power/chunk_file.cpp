@@ -9,6 +9,7 @@
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/settings/json_document.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline power {
 namespace {
@@ -37,8 +38,7 @@ std::string first_few(const std::vector<std::int64_t>& numbers) {
 fs::path chunk_folder(const fs::path& out) { return out / "chunks"; }
 
 fs::path chunk_file(const fs::path& out, std::int64_t number, const std::string& ending) {
-  char name[32];
-  std::snprintf(name, sizeof name, "chunk-%04lld", static_cast<long long>(number));
+  const std::string name = printed("chunk-%04lld", static_cast<long long>(number));
   return chunk_folder(out) / (name + ending);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/power/power_question.hpp"
 
-#include <algorithm>
-
 namespace impetus::inline power {
 
 const std::vector<QuestionText>& question_texts() {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstdio>
 
 #include "experiments/power/recovery.hpp"
 #include "experiments/tables/csv_line.hpp"
@@ -12,11 +11,7 @@ namespace {
 
 constexpr double kNominal = 0.95;
 
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1f", 100.0 * share);
-  return text;
-}
+std::string percent(double share) { return printed("%.1f", 100.0 * share); }
 
 /// "94.5 (90.4 to 96.9)", and a star where what was promised lies outside.
 std::string coverage_words(const ParameterRecovery& one) {

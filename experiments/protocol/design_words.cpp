@@ -2,11 +2,10 @@
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/factor_values.hpp"
 
-#include <cstdio>
-
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/design/between_participants.hpp"
 #include "experiments/design/blocks.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -76,8 +75,7 @@ std::string blocks_line(const Design& design) {
 }
 
 std::string staircase_words(const Staircase& staircase) {
-  char share[32];
-  std::snprintf(share, sizeof share, "%.1f", 100.0 * settling_share(staircase));
+  const std::string share = printed("%.1f", 100.0 * settling_share(staircase));
   return "by a staircase, harder after " +
          count_of(staircase.down, "positive answer", "positive answers in a row") +
          " and easier after " + count_of(staircase.up, "negative one", "negative ones in a row") +

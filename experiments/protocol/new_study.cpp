@@ -2,8 +2,6 @@
 #include "experiments/protocol/new_study.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "experiments/protocol/embedded_templates.hpp"

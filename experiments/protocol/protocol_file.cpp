@@ -5,8 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <xxhash.h>
-
+#include "experiments/models/mesh_bytes.hpp"
 #include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
@@ -24,12 +23,7 @@ namespace {
 using nlohmann::json;
 
 std::string hash_of(const json& protocol, const json& scene) {
-  const std::string canonical = protocol.dump() + "\n" + scene.dump();
-  const XXH128_hash_t hash = XXH3_128bits(canonical.data(), canonical.size());
-  char text[33];
-  std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return text;
+  return content_hash(protocol.dump() + "\n" + scene.dump());
 }
 
 /// What the scene says in place of null, by factor.

@@ -2,7 +2,6 @@
 #include "experiments/protocol/protocol_language.hpp"
 
 #include <string>
-#include <vector>
 
 #include "experiments/languages/language_file.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"

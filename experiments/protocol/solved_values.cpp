@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/solved_thresholds.hpp"
@@ -15,6 +14,7 @@
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/unattended.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -144,11 +144,7 @@ double threshold_of(const EngineSettings& engine, double share,
   return thresholds_for({share}, measures, *metric).front();
 }
 
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f", 100.0 * share);
-  return text;
-}
+std::string percent(double share) { return printed("%.0f", 100.0 * share); }
 
 std::string parted(double share) { return percent(share) + " to " + percent(1.0 - share); }
 

@@ -4,10 +4,10 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <string>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline provenance {
 namespace {
@@ -33,10 +33,7 @@ std::string size_of_machine() {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   const double bytes =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  std::array<char, 64> words{};
-  std::snprintf(words.data(), words.size(), "%ld cores, %.1f GiB", sysconf(_SC_NPROCESSORS_ONLN),
-                bytes / kGiB);
-  return words.data();
+  return printed("%ld cores, %.1f GiB", sysconf(_SC_NPROCESSORS_ONLN), bytes / kGiB);
 }
 
 }  // namespace

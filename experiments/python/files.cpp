@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "experiments/files/protocol_files.hpp"
 #include "experiments/files/scene_files.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>

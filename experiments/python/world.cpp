@@ -75,13 +75,7 @@ class WorldOfPython {
     }
     return rows;
   }
-  [[nodiscard]] double kinetic_energy_J() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < run_.world().states().size(); ++i) {
-      sum += kinetic_energy(run_.world().models()[i], run_.world().states()[i]);
-    }
-    return sum;
-  }
+  [[nodiscard]] double kinetic_energy_J() const { return run_.world().kinetic_energy_J(); }
 
   [[nodiscard]] const SceneRun& run() const { return run_; }
 

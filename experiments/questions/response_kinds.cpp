@@ -2,7 +2,8 @@
 #include "experiments/questions/response_kinds.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline questions {
 
@@ -115,8 +116,7 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
 }
 
 Text time_was_up(double timeout_ms, const Language& language) {
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.3g", timeout_ms / 1e3);
+  const std::string seconds = printed("%.3g", timeout_ms / 1e3);
   return {language.text("time_was_up"),
           {language.text("time_to_answer", {{"seconds", language.number(seconds)}})}};
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/session_pages.hpp"
 
-#include <array>
-#include <cstdio>
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline questions {
 namespace {
@@ -157,8 +156,7 @@ Page practice_not_understood(const SessionProgress& progress) {
 Page frames_were_late(std::int64_t late, std::int64_t frames, double slower_share,
                       const SessionProgress& progress) {
   const Language& language = progress.language;
-  std::array<char, 32> percent{};
-  std::snprintf(percent.data(), percent.size(), "%.2g", 100.0 * slower_share);
+  const std::string percent = printed("%.2g", 100.0 * slower_share);
   const std::string share = language.text("percent", {{"number", language.number(percent.data())}});
   return experimenter_decides({language.text("call_experimenter"),
                                {language.text("frames_late", {{"late", std::to_string(late)},

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline record {
 namespace {
@@ -29,10 +30,8 @@ double luminance_cd_m2(const ScreenLight& light, const std::array<float, 3>& col
 }
 
 std::string light_words(const ScreenLight& light) {
-  char text[100];
-  std::snprintf(text, sizeof text, "black %.4g, white %.4g cd/m², gamma %.4g", light.black_cd_m2,
-                light.white_cd_m2, light.gamma);
-  return text;
+  return printed("black %.4g, white %.4g cd/m², gamma %.4g", light.black_cd_m2, light.white_cd_m2,
+                 light.gamma);
 }
 
 bool has_square_pixels(const ScreenGeometry& screen) {
@@ -42,18 +41,14 @@ bool has_square_pixels(const ScreenGeometry& screen) {
 }
 
 std::string screen_words(const ScreenGeometry& screen) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%.1f cm x %.1f cm, %d x %d pixels, seen from %.1f cm",
-                100.0 * screen.width_m, 100.0 * screen.height_m, screen.width_px, screen.height_px,
-                100.0 * screen.viewing_distance_m);
-  return text;
+  return printed("%.1f cm x %.1f cm, %d x %d pixels, seen from %.1f cm", 100.0 * screen.width_m,
+                 100.0 * screen.height_m, screen.width_px, screen.height_px,
+                 100.0 * screen.viewing_distance_m);
 }
 
 std::string pixel_words(const ScreenGeometry& screen) {
-  char text[80];
-  std::snprintf(text, sizeof text, "%.3f mm wide and %.3f mm high", 1e3 * pixel_width_m(screen),
-                1e3 * pixel_height_m(screen));
-  return text;
+  return printed("%.3f mm wide and %.3f mm high", 1e3 * pixel_width_m(screen),
+                 1e3 * pixel_height_m(screen));
 }
 
 bool is_same_screen(const ScreenGeometry& a, const ScreenGeometry& b) {

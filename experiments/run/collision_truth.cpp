@@ -2,7 +2,6 @@
 #include "experiments/run/collision_truth.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <utility>

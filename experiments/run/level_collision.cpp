@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/scene_run.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline run {
 namespace {
@@ -264,11 +264,8 @@ CollisionByLevel collision_by_level(const StagedScene& scene) {
   finest.world().set_schedule(only_level(finest_level));
   const auto first = first_collision(finest);
   if (!first) {
-    char sentence[120];
-    std::snprintf(sentence, sizeof sentence,
-                  "expected a collision within the scene's %g s, but nothing touches",
-                  scene.duration_s);
-    throw InputError(sentence);
+    throw InputError(printed("expected a collision within the scene's %g s, but nothing touches",
+                             scene.duration_s));
   }
   const Approach approach = approach_to(*first, finest);
   CollisionByLevel result;

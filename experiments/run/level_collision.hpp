@@ -10,8 +10,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "engine/volumes/rounded_box.hpp"

@@ -25,14 +25,6 @@ constexpr std::uint64_t kPlacesSeed = 1;
 constexpr double kStepsAveraged = 30.0;
 constexpr double kPaceAveraged_s = 0.5;
 
-double energy_J(const World& world) {
-  double sum = 0.0;
-  for (std::size_t body = 0; body < world.models().size(); ++body) {
-    sum += kinetic_energy(world.models()[body], world.states()[body]);
-  }
-  return sum;
-}
-
 }  // namespace
 
 PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
@@ -40,7 +32,7 @@ PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
       start_(scene),
       run_(std::move(scene), kPlacesSeed, clock_),
       settings_(settings_of(start_)),
-      start_energy_J_(energy_J(start_.world)),
+      start_energy_J_(start_.world.kinetic_energy_J()),
       latest_(start_.looks.size(), start_.step_hz) {
   run_.set_region_rule(settings_.region);
   run_.world().watch_pairs(true);
@@ -199,7 +191,7 @@ void PreviewRun::forget_old() {
 }
 
 double PreviewRun::energy_share() const {
-  return start_energy_J_ > 0.0 ? energy_J(run_.world()) / start_energy_J_ : 0.0;
+  return start_energy_J_ > 0.0 ? run_.world().kinetic_energy_J() / start_energy_J_ : 0.0;
 }
 
 Viewer PreviewRun::viewer() const { return scene().viewer_at_time(position_ / scene().step_hz); }

@@ -46,19 +46,6 @@ std::vector<WeightedTerm> usual_terms() {
   return terms;
 }
 
-/// What the metric called `name` takes of the scene's own options.
-MetricOptions options_for(const std::string& name, const MetricOptions& own) {
-  MetricOptions options;
-  if (takes_point(name)) {
-    options.point = own.point;
-  }
-  if (needs_terms(name)) {
-    options.terms = own.terms;
-  }
-  options.noticing = own.noticing;
-  return options;
-}
-
 void take_world(PreviewSettings& settings, const StagedScene& scene) {
   const WorldSettings& world = scene.world.settings();
   settings.traversal = world.schedule.traversal;

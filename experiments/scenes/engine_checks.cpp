@@ -2,7 +2,6 @@
 #include "experiments/scenes/engine_checks.hpp"
 
 #include <stdexcept>
-#include <utility>
 
 #include "experiments/scenes/engine_setup.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -23,6 +22,7 @@
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 #include "experiments/scenes/showing/scene_showing.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -35,9 +35,9 @@ double rounded_to_frames(double duration_s, double hz) {
 [[noreturn]] void refuse_start(const std::string& pointer, const std::string& what,
                                const std::string& limit, const ScreenGeometry& screen,
                                std::size_t count) {
-  char of_screen[80];
-  std::snprintf(of_screen, sizeof of_screen, " on a screen of %g cm x %g cm seen from %g cm",
-                100.0 * screen.width_m, 100.0 * screen.height_m, 100.0 * screen.viewing_distance_m);
+  const std::string of_screen =
+      printed(" on a screen of %g cm x %g cm seen from %g cm", 100.0 * screen.width_m,
+              100.0 * screen.height_m, 100.0 * screen.viewing_distance_m);
   throw NoRoom(pointer, "expected as many " + what + " as " + limit + of_screen + ", got " +
                             std::to_string(count));
 }

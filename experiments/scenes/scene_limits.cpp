@@ -2,7 +2,6 @@
 #include "experiments/scenes/scene_limits.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -12,16 +11,13 @@
 #include "experiments/scenes/figures/figure_making.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline scenes {
 namespace {
 
 /// "1e-06 m"
-std::string text_of(double number, const char* unit) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%g%s", number, unit);
-  return text;
-}
+std::string text_of(double number, const char* unit) { return printed("%g%s", number, unit); }
 
 /// A measure of a shape that is too small, seen on the screen.
 struct SmallMeasure {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_meeting.hpp"
 
-#include <cmath>
-#include <optional>
 #include <string>
 
 #include "engine/numerics/elementary_functions.hpp"

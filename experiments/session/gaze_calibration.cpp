@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/questions/session_pages.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline session {
 namespace {
 
 std::string degrees_text(const std::optional<double>& value_deg, const Language& language) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f°", value_deg.value_or(0.0));
+  const std::string text = printed("%.2f°", value_deg.value_or(0.0));
   return value_deg ? language.number(text) : language.text("unknown");
 }
 

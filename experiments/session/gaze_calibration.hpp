@@ -12,7 +12,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "experiments/gaze/gaze_quality.hpp"

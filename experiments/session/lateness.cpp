@@ -2,8 +2,8 @@
 #include "experiments/session/lateness.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline session {
 
@@ -26,13 +26,10 @@ double Lateness::slower_share() const {
 }
 
 std::string Lateness::words() const {
-  std::array<char, 160> words{};
-  std::snprintf(
-      words.data(), words.size(),
+  return printed(
       "%lld of %lld timed frames came late, and what was shown took %.2g %% longer than it "
       "should",
       static_cast<long long>(late_), static_cast<long long>(frames_), 100.0 * slower_share());
-  return words.data();
 }
 
 }  // namespace impetus::inline session

@@ -152,12 +152,7 @@ std::vector<std::string> PracticePart::missing_in(std::int64_t round) const {
 /// Practice was not understood in all its rounds: the experimenter decides.
 bool PracticePart::ask_whether_to_go_on() {
   sitting_.ports.recorder.save(NoteRecord{"practice not understood", ""});
-  const auto answer = sitting_.ask(practice_not_understood(sitting_.progress()));
-  if (answer && answer->choice != kContinueChoice) {
-    sitting_.ports.recorder.save(NoteRecord{"quit", ""});
-    return sitting_.talk.end(SessionEnding::kQuit);
-  }
-  return answer.has_value();
+  return sitting_.ask_whether_to_go_on(practice_not_understood(sitting_.progress()));
 }
 
 constexpr const char* kConsentId = "consent";

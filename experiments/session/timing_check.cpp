@@ -2,7 +2,8 @@
 #include "experiments/session/timing_check.hpp"
 
 #include <cmath>
-#include <cstdio>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline session {
 namespace {
@@ -25,22 +26,16 @@ std::vector<double> valid_intervals(const std::vector<std::int64_t>& flipped_ns,
 }
 
 std::string verdict_of(const SyncTest& test, double nominal_ns) {
-  char text[200];
   if (test.valid_flips < kFewestValid) {
-    std::snprintf(
-        text, sizeof text,
+    return printed(
         "flips do not follow the display's refresh: only %lld intervals were within 20 %% "
         "of %.2f ms, %lld are needed",
         static_cast<long long>(test.valid_flips), nominal_ns / 1e6,
         static_cast<long long>(kFewestValid));
-  } else {
-    std::snprintf(
-        text, sizeof text,
-        "%lld valid flips, interval %.3f ms (nominal %.3f ms), standard deviation %.3f ms",
-        static_cast<long long>(test.valid_flips), test.mean_interval_ns / 1e6, nominal_ns / 1e6,
-        test.sd_interval_ns / 1e6);
   }
-  return text;
+  return printed("%lld valid flips, interval %.3f ms (nominal %.3f ms), standard deviation %.3f ms",
+                 static_cast<long long>(test.valid_flips), test.mean_interval_ns / 1e6,
+                 nominal_ns / 1e6, test.sd_interval_ns / 1e6);
 }
 
 }  // namespace

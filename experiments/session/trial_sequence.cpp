@@ -12,6 +12,15 @@
 
 namespace impetus::inline session {
 
+bool Sitting::ask_whether_to_go_on(const Page& page) const {
+  const auto answer = ask(page);
+  if (answer && answer->choice != kContinueChoice) {
+    ports.recorder.save(NoteRecord{"quit", ""});
+    return talk.end(SessionEnding::kQuit);
+  }
+  return answer.has_value();
+}
+
 bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
   const PhaseTrials trials = sitting_.standing.trials_of(phase, round);
   if (trials.waiting.empty()) {
@@ -159,13 +168,8 @@ bool TrialSequence::look_at_lateness(bool may_stop) {
   if (rule.then != LatenessRule::Then::kStop || !may_stop) {
     return true;
   }
-  const auto answer = sitting_.ask(
+  return sitting_.ask_whether_to_go_on(
       frames_were_late(since.late(), since.frames(), since.slower_share(), sitting_.progress()));
-  if (answer && answer->choice != kContinueChoice) {
-    sitting_.ports.recorder.save(NoteRecord{"quit", ""});
-    return sitting_.talk.end(SessionEnding::kQuit);
-  }
-  return answer.has_value();
 }
 
 bool TrialSequence::summarise_practice() {

@@ -35,6 +35,8 @@ struct Sitting {
 
   /// Asks until there is an answer; nothing when the session ends.
   [[nodiscard]] std::optional<Answer> ask(const Page& page) const { return talk.ask(page); }
+  /// Asks the experimenter whether to go on; false when the session ends, by their choice or not.
+  [[nodiscard]] bool ask_whether_to_go_on(const Page& page) const;
   [[nodiscard]] SessionProgress progress() const { return standing.progress(); }
 };
 

@@ -2,11 +2,11 @@
 #include "experiments/store/adaptive_rows.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_file.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -23,9 +23,7 @@ std::string quoted(const std::string& text) {
       result += '\\';
     }
     if (static_cast<unsigned char>(letter) < 0x20) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(letter));
-      result += code;
+      result += printed("\\u%04x", static_cast<unsigned>(letter));
     } else {
       result += letter;
     }

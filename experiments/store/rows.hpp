@@ -162,6 +162,11 @@ std::tuple<Columns...> load_row(SQLite::Database& database, const std::string& s
   return std::move(rows.front());
 }
 
+/// How many rows there are of what stands behind FROM.
+inline std::int64_t count_rows(SQLite::Database& database, const std::string& from) {
+  return std::get<0>(load_row<std::int64_t>(database, "SELECT count(*) FROM " + from));
+}
+
 /// The only column of all rows of a query.
 template <typename Column, typename... Values>
 std::vector<Column> load_column(SQLite::Database& database, const std::string& sql,

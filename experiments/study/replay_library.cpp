@@ -2,7 +2,6 @@
 #include "experiments/study/replay_library.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/checked_scene.hpp"

@@ -162,10 +162,6 @@ std::vector<std::string> screen_obstacles(SQLite::Database& study) {
   return obstacles;
 }
 
-std::int64_t count(SQLite::Database& database, const std::string& what) {
-  return database.execAndGet("SELECT count(*) FROM " + what).getInt64();
-}
-
 void append(Failures& to, const Failures& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 /// Of the file as it is, before any copy of an older schema is made.
@@ -203,7 +199,7 @@ class StudyChecks {
     add("values", "every value is one that its table allows", forbidden_rows(database_));
     check_protocols_and_attempts();
     add("provenance",
-        count_of(count(database_, "session"), "session") +
+        count_of(count_rows(database_, "session"), "session") +
             ": build, machine, display, screen, sync test",
         broken_provenance(database_));
     add("screens", "square pixels, and one screen for each participant, or it was said",
@@ -214,9 +210,9 @@ class StudyChecks {
     append(verification_.remarks, remarks_on(database_));
     verification_.obstacles = sentences(database_, "", kObstaclesSql);
     append(verification_.obstacles, screen_obstacles(database_));
-    verification_.participants = count(database_, "participant");
-    verification_.completed_trials = count(database_, "attempt WHERE outcome = 'completed'");
-    verification_.sessions = count(database_, "session");
+    verification_.participants = count_rows(database_, "participant");
+    verification_.completed_trials = count_rows(database_, "attempt WHERE outcome = 'completed'");
+    verification_.sessions = count_rows(database_, "session");
   }
 
  private:
@@ -227,25 +223,25 @@ class StudyChecks {
             ", each read and hashed anew",
         shelf.failures());
     check_plans(shelf);
-    add("order", count_of(count(database_, "attempt"), "attempt") + ", in the planned order",
+    add("order", count_of(count_rows(database_, "attempt"), "attempt") + ", in the planned order",
         broken_order(database_));
     Failures recordings = broken_recordings(database_);
     append(recordings, wrong_lengths(study_, shelf));
     add("recordings",
-        count_of(count(database_, "step"), "step") + " and " +
-            count_of(count(database_, "frame"), "frame") + ", none missing",
+        count_of(count_rows(database_, "step"), "step") + " and " +
+            count_of(count_rows(database_, "frame"), "frame") + ", none missing",
         std::move(recordings));
     add("answers",
-        count_of(count(database_, "rating"), "rating") + ", " +
-            count_of(count(database_, "response"), "answer") + ", " +
-            count_of(count(database_, "click"), "click") + ", as asked for",
+        count_of(count_rows(database_, "rating"), "rating") + ", " +
+            count_of(count_rows(database_, "response"), "answer") + ", " +
+            count_of(count_rows(database_, "click"), "click") + ", as asked for",
         wrong_answers(study_, shelf));
   }
 
   /// A plan follows from the code that was given at enrolment, which anonymising takes away.
   void check_plans(const ProtocolShelf& shelf) {
-    const std::string plans = count_of(count(database_, "enrolment"), "plan");
-    if (count(database_, "study WHERE anonymised_by IS NOT NULL") > 0) {
+    const std::string plans = count_of(count_rows(database_, "enrolment"), "plan");
+    if (count_rows(database_, "study WHERE anonymised_by IS NOT NULL") > 0) {
       add("plans", plans + ", not made anew: the codes that they follow from were taken out", {});
     } else {
       add("plans", plans + ", as protocol, participant and seed give them anew",

@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 
 #include "experiments/store/study_file.hpp"
 #include "experiments/study/verification_report.hpp"

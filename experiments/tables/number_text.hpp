@@ -12,6 +12,9 @@ std::string exact_number(double value);
 /// With at most so many significant digits, up to 17.
 std::string rounded_number(double value, int digits);
 
+/// What std::printf would print, however long.
+std::string printed(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
 /// What exact_number() does without the standard library's own function for it, which the one of
 /// browsers lacks: the fewest digits that are read back, as decimals or with an exponent, whichever
 /// is shorter.

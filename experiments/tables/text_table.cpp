@@ -2,9 +2,9 @@
 #include "experiments/tables/text_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline tables {
 namespace {
@@ -29,8 +29,7 @@ std::string printable(const std::string& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (is_control(text, at)) {
       const auto byte = static_cast<unsigned>(static_cast<unsigned char>(text[at]));
-      std::array<char, 8> code{};
-      std::snprintf(code.data(), code.size(), "\\x%02x", byte);
+      const std::string code = printed("\\x%02x", byte);
       if (byte >= 0x80U) {
         shown.pop_back();  // its first half
       }
@@ -69,10 +68,8 @@ std::string two_digits(double value) {
   }
   const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
   const double unit = std::pow(10.0, before_point - 2);
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.*f", std::max(0, 2 - before_point),
-                std::round(value / unit) * unit);
-  std::string text = digits;
+  std::string text =
+      printed("%.*f", std::max(0, 2 - before_point), std::round(value / unit) * unit);
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     text.erase(text.find_last_not_of('.') + 1);

@@ -2,7 +2,6 @@
 #include "experiments/timing/timing_run.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/trial.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/timing/embedded_creatures.hpp"
 #include "experiments/timing/embedded_l_blocks.hpp"
 
@@ -158,9 +158,8 @@ class TimingRun {
   void begin(const std::string& part) {
     const int parts = lab_.sounds() == nullptr ? kParts : kParts + 1;
     const double left_s = (parts - done_) * task_.seconds;
-    char text[120];
-    std::snprintf(text, sizeof text, "Part %d of %d: %s; %.0f s to go. Esc stops.", done_ + 1,
-                  parts, part.c_str(), std::ceil(left_s));
+    const std::string text = printed("Part %d of %d: %s; %.0f s to go. Esc stops.", done_ + 1,
+                                     parts, part.c_str(), std::ceil(left_s));
     progress_ = {done_++, parts, text};
     tell_(progress_);
   }

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline timing {
 namespace {
@@ -47,10 +48,8 @@ std::string for_stamps(const TimingReport& report, const std::string& criterion)
 }
 
 std::string limits_in_words(const Limits& limits, double factor, const std::string& unit) {
-  char text[120];
-  std::snprintf(text, sizeof text, "good up to %g%s, with care up to %g%s", limits.good * factor,
-                unit.c_str(), limits.care * factor, unit.c_str());
-  return text;
+  return printed("good up to %g%s, with care up to %g%s", limits.good * factor, unit.c_str(),
+                 limits.care * factor, unit.c_str());
 }
 
 TimingVerdict sync_verdict(const TimingReport& report) {
@@ -76,9 +75,8 @@ TimingVerdict drift_verdict(const TimingReport& report) {
 
 TimingVerdict late_verdict(const TimingReport& report, const FlipSeries& run) {
   const FlipStatistics& flips = run.statistics;
-  char text[120];
-  std::snprintf(text, sizeof text, "%lld of %lld (%.2f %%)", static_cast<long long>(flips.late),
-                static_cast<long long>(flips.flips), 100.0 * flips.late_share());
+  const std::string text = printed("%lld of %lld (%.2f %%)", static_cast<long long>(flips.late),
+                                   static_cast<long long>(flips.flips), 100.0 * flips.late_share());
   return {"Late frames with " + pictured(run.bodies), text,
           of_stamps(report, graded(flips.late_share(), kLateShare)),
           for_stamps(report, limits_in_words(kLateShare, 100.0, " %"))};
@@ -238,11 +236,7 @@ TimingGrade worst_of(const std::vector<TimingVerdict>& verdicts) {
   return worst;
 }
 
-std::string decimal(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
+std::string decimal(double value, int digits) { return printed("%.*f", digits, value); }
 
 std::string pictured(int bodies) {
   return bodies == 0 ? "a blank picture"

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <utility>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline trackers {
 namespace {
@@ -102,13 +103,11 @@ std::vector<Reading> Tracker::take_readings() {
 
 std::string Tracker::clock_words() const {
   const std::lock_guard lock(mutex_);
-  char words[200];
-  std::snprintf(
-      words, sizeof words, "%s's clock plus %.6f s is this machine's, %s %.3f ms", kind_.name,
+  return printed(
+      "%s's clock plus %.6f s is this machine's, %s %.3f ms", kind_.name,
       static_cast<double>(clock_.offset_ns) * 1e-9,
       clock_.one_way ? "as the fastest delivery says; 95 % come later by at most" : "known to",
       static_cast<double>(clock_.error_ns) * 1e-6);
-  return words;
 }
 
 std::int64_t Tracker::silences() const {

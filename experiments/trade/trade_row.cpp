@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/trade/trade_row.hpp"
 
-#include <cmath>
-
 #include "experiments/tables/csv_line.hpp"
 
 namespace impetus::inline trade {

@@ -2,11 +2,10 @@
 #include "experiments/viewers/collision_strip.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "experiments/drawing/scene_painter.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/picture_overlays.hpp"
 #include "experiments/viewers/volume_levels.hpp"
 #include "experiments/window/gl_window.hpp"
@@ -145,25 +144,20 @@ class StripDrawing {
   }
 
   static std::string words(const LevelCollision& row, CollisionMomentName name) {
-    char text[240];
     const double apart_s = row.moments[name].time_s - row.moments[kAtContact].time_s;
     switch (name) {
       case kBeforeContact:
-        std::snprintf(text, sizeof text,
-                      "level %d\n%.0f ms before contact\nbounds reach at most %.2f mm beyond",
-                      row.level, -1e3 * apart_s, 1e3 * row.fit_error_m);
-        break;
+        return printed("level %d\n%.0f ms before contact\nbounds reach at most %.2f mm beyond",
+                       row.level, -1e3 * apart_s, 1e3 * row.fit_error_m);
       case kAtContact:
-        std::snprintf(text, sizeof text,
-                      "at %.3f s: contacts of nodes %zu, kept %zu\ngap %.2f mm, %.1f′ in the "
-                      "scene\nnormal %.1f° off the finest level's",
-                      row.moments[name].time_s, row.node_contacts.size(), row.contacts.size(),
-                      1e3 * row.gap_m, row.gap_arcmin, row.normal_off_deg);
-        break;
+        return printed(
+            "at %.3f s: contacts of nodes %zu, kept %zu\ngap %.2f mm, %.1f′ in the "
+            "scene\nnormal %.1f° off the finest level's",
+            row.moments[name].time_s, row.node_contacts.size(), row.contacts.size(),
+            1e3 * row.gap_m, row.gap_arcmin, row.normal_off_deg);
       default:
-        std::snprintf(text, sizeof text, "%.0f ms after contact", 1e3 * apart_s);
+        return printed("%.0f ms after contact", 1e3 * apart_s);
     }
-    return text;
   }
 
   [[nodiscard]] float words_height_px() const {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/drawing/body_colours.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/panel.hpp"
 
 namespace impetus::inline viewers {
@@ -78,10 +78,9 @@ class SchedulerControls {
       WeightedTerm& term = terms[i];
       ImGui::PushID(static_cast<int>(i));
       panel_label(term.metric.c_str());
-      char range[80];
-      std::snprintf(range, sizeof range, "weight %%.2f  (1 at %.4g, 0 at %.4g)", term.urgent,
-                    term.relaxed);
-      changed_ |= dragged_number("##weight", term.weight, 0.02F, 0.01, 100.0, range,
+      const std::string range =
+          printed("weight %%.2f  (1 at %.4g, 0 at %.4g)", term.urgent, term.relaxed);
+      changed_ |= dragged_number("##weight", term.weight, 0.02F, 0.01, 100.0, range.c_str(),
                                  "What this metric counts in the sum.");
       ImGui::PopID();
     }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "experiments/drawing/palette.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/panel.hpp"
 #include "experiments/viewers/preview_controls.hpp"
 
@@ -106,8 +106,7 @@ class PreviewPanel {
       return;
     }
     const auto number = [](const char* name, const char* format, double value) {
-      char text[40];
-      std::snprintf(text, sizeof text, format, value);
+      const std::string text = printed(format, value);
       panel_row(name, text);
     };
     const auto count = [&](const char* name, auto value) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/run/preview_run.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/picture_overlays.hpp"
 #include "experiments/viewers/preview_overlays.hpp"
 #include "experiments/viewers/preview_panel.hpp"
@@ -67,8 +67,7 @@ class WorkChart {
       draw_.AddLine(ImVec2(from_.x, budget), ImVec2(to_.x, budget), kBudget, 1.5F);
     }
     draw_.AddRect(from_, to_, palette::kLine, 3.0F);
-    char text[32];
-    std::snprintf(text, sizeof text, "%.0f", top_);
+    const std::string text = printed("%.0f", top_);
     write_at(from_ + ImVec2(4, 1), text, font_, palette::kQuietText);
     draw_title();
   }
@@ -77,8 +76,7 @@ class WorkChart {
   void draw_title() {
     const WorkOfStep last = run_.work().empty() ? WorkOfStep{} : run_.work().back();
     const double span_s = static_cast<double>(run_.work_span()) / run_.scene().step_hz;
-    char title[80];
-    std::snprintf(title, sizeof title, "Work per step, last %.0f s", span_s);
+    const std::string title = printed("Work per step, last %.0f s", span_s);
     float left = write(title, from_.x, palette::kText) + 1.4F * font_->FontSize;
     left = write_entry(left, kSpent, "spent", last.spent);
     left = write_entry(left, kFloor, "floor", last.floor);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/viewer_screen.hpp"
 #include "experiments/window/display.hpp"
 #include "experiments/window/pages/form_field.hpp"
@@ -42,9 +42,7 @@ bool is_plausible(const std::optional<double>& entered_cm, const PlausibleMeasur
 
 /// "37.6" for 0.376 m; empty for 0.
 std::string centimetres(double length_m) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", 100.0 * length_m);
-  return length_m > 0.0 ? text : "";
+  return length_m > 0.0 ? printed("%g", 100.0 * length_m) : "";
 }
 
 /// One sentence naming what was expected and what was there; empty when all are plausible.
@@ -54,14 +52,9 @@ std::string objection_to(const EnteredMeasures& entered) {
     if (is_plausible(entered[i], measure)) {
       continue;
     }
-    char there[40] = "nothing";
-    if (entered[i]) {
-      std::snprintf(there, sizeof there, "%g", *entered[i]);
-    }
-    char text[160];
-    std::snprintf(text, sizeof text, "The %s: expected %g to %g cm, got %s.", measure.name,
-                  measure.least_cm, measure.most_cm, there);
-    return text;
+    const std::string there = entered[i] ? printed("%g", *entered[i]) : "nothing";
+    return printed("The %s: expected %g to %g cm, got %s.", measure.name, measure.least_cm,
+                   measure.most_cm, there.c_str());
   }
   return "";
 }

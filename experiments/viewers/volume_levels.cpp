@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewers/volume_levels.hpp"
 
-#include <utility>
-
 namespace impetus::inline viewers {
 namespace {
 

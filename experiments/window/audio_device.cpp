@@ -4,11 +4,11 @@
 #include <SDL.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <span>
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/sound/waveform.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline window {
 namespace {
@@ -71,9 +71,9 @@ AudioDevice::AudioDevice() {
   rate_hz_ = got.freq;
   block_.resize(got.samples);
   mixer_ = std::make_unique<Mixer>(rate_hz_);
-  char words[160];
-  std::snprintf(words, sizeof words, "%s, %d Hz, blocks of %d samples (%.1f ms)",
-                SDL_GetCurrentAudioDriver(), got.freq, got.samples, 1e3 * got.samples / got.freq);
+  const std::string words =
+      printed("%s, %d Hz, blocks of %d samples (%.1f ms)", SDL_GetCurrentAudioDriver(), got.freq,
+              got.samples, 1e3 * got.samples / got.freq);
   description_ = words;
   SDL_AddEventWatch(Fill::watch, this);
   SDL_PauseAudioDevice(device_, 0);

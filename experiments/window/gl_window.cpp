@@ -3,8 +3,7 @@
 
 #include <epoxy/gl.h>
 
-#include <cstdio>
-
+#include "experiments/tables/number_text.hpp"
 #include "experiments/window/display.hpp"
 
 namespace impetus::inline window {
@@ -111,11 +110,9 @@ bool GlWindow::wait_for_refresh(bool wait) { return SDL_GL_SetSwapInterval(wait 
 void GlWindow::show_cursor(bool visible) { SDL_ShowCursor(visible ? SDL_ENABLE : SDL_DISABLE); }
 
 std::string GlWindow::described() const {
-  char text[400];
-  std::snprintf(text, sizeof text, "%s, %s, OpenGL %s, %d × %d px, %.2f Hz (%s)",
-                SDL_GetCurrentVideoDriver(), text_of(GL_RENDERER), text_of(GL_VERSION), width_px_,
-                height_px_, refresh_hz_, refresh_source_.c_str());
-  return text;
+  return printed("%s, %s, OpenGL %s, %d × %d px, %.2f Hz (%s)", SDL_GetCurrentVideoDriver(),
+                 text_of(GL_RENDERER), text_of(GL_VERSION), width_px_, height_px_, refresh_hz_,
+                 refresh_source_.c_str());
 }
 
 }  // namespace impetus::inline window

@@ -2,7 +2,6 @@
 #include "experiments/window/window.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 

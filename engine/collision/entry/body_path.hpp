@@ -9,9 +9,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "engine/numerics/few.hpp"
 #include "engine/numerics/vector.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <limits>
 
 #include "engine/trees/minimal_ball.hpp"

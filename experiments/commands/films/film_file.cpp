@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <utility>
 
 #include "experiments/commands/films/ffmpeg_program.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -122,8 +121,7 @@ class PictureFolder final : public FilmFile {
       : folder_(target, FolderCheck(refuse_full_folder)) {}
 
   void add(const Pixels& frame) override {
-    char name[32];
-    std::snprintf(name, sizeof name, "frame-%06d.png", count_++);
+    const std::string name = printed("frame-%06d.png", count_++);
     write_png(frame, folder_.path() / name);
   }
 

@@ -2,7 +2,6 @@
 #include "experiments/commands/films/film_making.hpp"
 
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 

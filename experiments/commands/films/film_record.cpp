@@ -2,11 +2,11 @@
 #include "experiments/commands/films/film_record.hpp"
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "experiments/drawing/picture_map.hpp"
 #include "experiments/record/wall_names.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -27,11 +27,7 @@ constexpr std::array<std::uint32_t, 256> crc_table() {
 
 constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
 
-std::string hex(std::uint32_t value) {
-  char text[9];
-  std::snprintf(text, sizeof text, "%08x", value);
-  return text;
-}
+std::string hex(std::uint32_t value) { return printed("%08x", value); }
 
 ordered_json to_list(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 

@@ -2,7 +2,6 @@
 #include "experiments/commands/films/protocol_films.hpp"
 
 #include <cctype>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -21,9 +21,7 @@ namespace {
 /// "main-012-delay_ms-100-speed_deg_s-5": no letter of it needs quotes anywhere.
 std::string film_name(const PlannedFilm& planned) {
   constexpr std::size_t kLongest = 120;
-  char begin[48];
-  std::snprintf(begin, sizeof begin, "%s-%03zu", planned.part.c_str(), planned.film + 1);
-  std::string name = begin;
+  std::string name = printed("%s-%03zu", planned.part.c_str(), planned.film + 1);
   for (const FactorLevel& level : planned.trial.condition) {
     name += "-" + level.factor + "-" + to_text(level.value);
   }

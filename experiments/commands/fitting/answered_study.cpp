@@ -2,12 +2,10 @@
 #include "experiments/commands/fitting/answered_study.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "experiments/protocol/design_words.hpp"

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <set>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/fitting/answered_study.hpp"

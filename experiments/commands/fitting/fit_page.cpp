@@ -2,7 +2,6 @@
 #include "experiments/commands/fitting/fit_page.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/tables/number_text.hpp"
 #include "experiments/tables/text_table.hpp"

@@ -2,7 +2,6 @@
 #include "experiments/commands/fitting/posterior.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <sstream>
 

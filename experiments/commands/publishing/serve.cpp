@@ -16,6 +16,7 @@
 #include "experiments/settings/input_error.hpp"
 #include "experiments/site/http_server.hpp"
 #include "experiments/site/served_study.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -81,9 +82,7 @@ HttpAnswer answer_of(const std::string& body, const std::function<json(const jso
 /// A code that nobody guesses.
 std::string random_code() {
   std::random_device random;
-  char code[32];
-  std::snprintf(code, sizeof code, "W%08x%08x", random(), random());
-  return code;
+  return printed("W%08x%08x", random(), random());
 }
 
 void print_links(const std::string& site, int count) {

@@ -3,7 +3,6 @@
 #include <unistd.h>
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 

@@ -44,7 +44,7 @@ std::string title_of(const ShownStimulus& shown) {
          (shown.standard ? ", standard" : "");
 }
 
-/// What was answered, in the order asked.
+/// What was answered.
 std::vector<ViewedAnswer> answers_of(StudyFile& study, const StoredAttempt& attempt) {
   std::vector<ViewedAnswer> answers;
   if (attempt.rating) {

@@ -18,21 +18,16 @@
 #include "experiments/study/replay_library.hpp"
 #include "experiments/study/what_if_sums.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
 using nlohmann::json;
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[300];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 /// "-" of what is not a number.
 std::string decimals(double value, int digits) {
-  return !std::isnan(value) ? formatted("%.*f", digits, value) : "-";
+  return !std::isnan(value) ? printed("%.*f", digits, value) : "-";
 }
 
 std::string both_whole(std::int64_t then, std::int64_t now) {
@@ -97,7 +92,7 @@ std::string level_words(const CourseSums& then, const CourseSums& now) {
   }
   std::string text;
   for (const auto& [level, count] : counts) {
-    text += formatted("  at level %d: %s\n", level, both_whole(count.first, count.second).c_str());
+    text += printed("  at level %d: %s\n", level, both_whole(count.first, count.second).c_str());
   }
   return text;
 }
@@ -106,10 +101,9 @@ std::string total_words(const WhatIfTotals& totals, std::size_t stimuli) {
   const CourseSums& then = totals.then;
   const CourseSums& now = totals.now;
   std::string text;
-  text +=
-      formatted("%zu stimuli; the states of %lld part, and in %lld the eye could tell\n", stimuli,
-                static_cast<long long>(totals.parted), static_cast<long long>(totals.seen_apart));
-  text += formatted(
+  text += printed("%zu stimuli; the states of %lld part, and in %lld the eye could tell\n", stimuli,
+                  static_cast<long long>(totals.parted), static_cast<long long>(totals.seen_apart));
+  text += printed(
       "collisions %s: %lld of the same pair within %.0f ms, %lld only then, %lld only now\n",
       both_whole(then.collisions, now.collisions).c_str(),
       static_cast<long long>(totals.matches.both), 1e3 * kMatchWithin_s,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <utility>
 
 #include "engine/scheduling/named_kinds.hpp"
 #include "experiments/commands/power/power_options.hpp"

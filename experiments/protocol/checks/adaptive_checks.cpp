@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "experiments/design/psychometric.hpp"
 #include "experiments/design/staircase.hpp"
 #include "experiments/questions/response_kinds.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -90,11 +90,7 @@ void check_question(const Protocol& protocol) {
 
 constexpr const char* kQuestPlus = "/design/adaptive/quest_plus/";
 
-std::string number_text_of(const char* format, double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, number);
-  return text;
-}
+std::string number_text_of(const char* format, double number) { return printed(format, number); }
 
 void check_staircase(const Protocol& protocol, const Staircase& staircase) {
   const double share = settling_share(staircase);

@@ -2,7 +2,6 @@
 #include "experiments/protocol/checks/participant_checks.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/schema_sentences.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
@@ -58,8 +58,7 @@ void check_text(const JsonDocument& protocol, const json::json_pointer& place,
       return;  // the parser takes UTF-8 alone
     }
     if (!letters.has(point->value)) {
-      char code[16];
-      std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(point->value));
+      const std::string code = printed("U+%04X", static_cast<unsigned>(point->value));
       refuse(protocol, place.to_string(),
              "expected letters that screens can show (" + letters.words() + "), got " + code +
                  " as character " + std::to_string(letter));

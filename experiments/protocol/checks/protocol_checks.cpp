@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 #include <set>
 #include <utility>
@@ -19,17 +18,14 @@
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/question_order.hpp"
 #include "experiments/questions/response_kinds.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {
 
 constexpr double kMostTrials = 10'000;
 
-std::string count_text(double count) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.15g", count);
-  return text;
-}
+std::string count_text(double count) { return printed("%.15g", count); }
 
 /// Refuses a design that nobody could sit through before its cells fill the memory.
 void check_size(const Protocol& protocol) {

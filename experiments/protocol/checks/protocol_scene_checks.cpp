@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "experiments/design/between_participants.hpp"
@@ -11,6 +10,7 @@
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -27,19 +27,14 @@ std::vector<Condition> shown_conditions(const Design& design) {
   return conditions;
 }
 
-std::string milliseconds(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f ms", seconds * 1e3);
-  return text;
-}
+std::string milliseconds(double seconds) { return printed("%.2f ms", seconds * 1e3); }
 
 /// Refuses a duration at `place` that is no whole number of frames.
 void require_frames(const JsonDocument& document, const std::string& place, double duration,
                     double unit_s, double hz) {
   const double frames = duration * unit_s * hz;
   if (!(std::abs(frames - std::round(frames)) < 1e-3)) {
-    char rate[32];
-    std::snprintf(rate, sizeof rate, "%g", hz);
+    const std::string rate = printed("%g", hz);
     refuse(document, place,
            "expected a whole number of " + std::string(rate) + " Hz frames (" +
                milliseconds(1.0 / hz) + "), got " + json_text(duration));

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "experiments/protocol/protocol_file.hpp"
 

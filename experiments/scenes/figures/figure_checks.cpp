@@ -2,7 +2,6 @@
 #include "experiments/scenes/figures/figure_checks.hpp"
 
 #include <set>
-#include <utility>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/figures/figure_making.hpp"

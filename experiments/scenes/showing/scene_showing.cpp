@@ -5,18 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "experiments/scenes/plane/named_body.hpp"
+
 namespace impetus::inline scenes {
-namespace {
-
-/// The place of the body of this name among those that are named, or one past the last.
-std::size_t named_place(const Scene& scene, const std::string& name) {
-  const auto bodies = scene.named_bodies();
-  const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                  [&](const BodySettings& body) { return body.name == name; });
-  return static_cast<std::size_t>(found - bodies.begin());
-}
-
-}  // namespace
 
 void apply_showing(const Scene& scene, double hold_s, StagedScene& staged) {
   const ShowingSettings& said = scene.showing;
@@ -28,7 +19,7 @@ void apply_showing(const Scene& scene, double hold_s, StagedScene& staged) {
   }
   staged.flashing = {{}, said.flashing->hz, said.flashing->colour, said.still_s};
   for (const std::string& name : said.flashing->bodies) {
-    staged.flashing.bodies.push_back(named_place(scene, name));
+    staged.flashing.bodies.push_back(place_of_body(scene, name));
   }
 }
 
@@ -44,7 +35,7 @@ void add_showing_problems(const Scene& scene, SceneProblems& problems) {
       problems.add("/flashing", "expected none without still_s, while which bodies flash");
     }
     for (std::size_t i = 0; i < said.flashing->bodies.size(); ++i) {
-      if (named_place(scene, said.flashing->bodies[i]) == scene.named_bodies().size()) {
+      if (place_of_body(scene, said.flashing->bodies[i]) == scene.named_bodies().size()) {
         problems.add_got("/flashing/bodies/" + std::to_string(i), "expected the name of a body");
       }
     }

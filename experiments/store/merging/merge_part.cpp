@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <system_error>
@@ -14,6 +13,7 @@
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_integrity.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -153,11 +153,8 @@ std::string hash_of_file(const std::filesystem::path& path) {
   add_bytes(path, state.get());
   add_bytes(log_beside(path), state.get());
   const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  std::array<char, 33> text{};
-  std::snprintf(text.data(), text.size(), "%016llx%016llx",
-                static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return text.data();
+  return printed("%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                 static_cast<unsigned long long>(hash.low64));
 }
 
 MergePart open_merge_part(const std::filesystem::path& path) {

@@ -216,21 +216,17 @@ void add_part(MergePart& part, SQLite::Database& destination) {
           copy.participants_before());
 }
 
-std::int64_t count(SQLite::Database& database, const std::string& what) {
-  return database.execAndGet("SELECT count(*) FROM " + what).getInt64();
-}
-
 MergeResult add_parts(std::deque<MergePart>& parts, StudyFile& study) {
   SQLite::Database& database = study.database();
-  const std::int64_t before = count(database, "participant");
+  const std::int64_t before = count_rows(database, "participant");
   SQLite::Transaction transaction(database);
   for (MergePart& part : parts) {
     add_part(part, database);
   }
   MergeResult result;
-  result.participants = count(database, "participant");
+  result.participants = count_rows(database, "participant");
   result.participants_added = result.participants - before;
-  result.completed_trials = count(database, "attempt WHERE outcome = 'completed'");
+  result.completed_trials = count_rows(database, "attempt WHERE outcome = 'completed'");
   transaction.commit();
   return result;
 }

@@ -45,19 +45,6 @@ void require_known(const std::string& scheduler, const StagedScene& scene) {
   }
 }
 
-/// What the metric called `name` takes of the scene's own options.
-MetricOptions options_for(const std::string& name, const StagedScene& scene) {
-  MetricOptions options;
-  if (takes_point(name)) {
-    options.point = scene.metric_options.point;
-  }
-  if (needs_terms(name)) {
-    options.terms = scene.metric_options.terms;
-  }
-  options.noticing = scene.metric_options.noticing;
-  return options;
-}
-
 }  // namespace
 
 std::vector<std::string> tried_traversals(const std::vector<std::string>& asked) {
@@ -110,9 +97,10 @@ Schedule schedule_of(const TriedOrder& order, const StagedScene& scene, std::uin
     return schedule;
   }
   schedule.traversal = make_traversal(order.traversal);
-  schedule.metric = order.scheduler == kRandomScheduler
-                        ? std::make_shared<RandomMetric>(seed)
-                        : make_metric(order.scheduler, options_for(order.scheduler, scene));
+  schedule.metric =
+      order.scheduler == kRandomScheduler
+          ? std::make_shared<RandomMetric>(seed)
+          : make_metric(order.scheduler, options_for(order.scheduler, scene.metric_options));
   return schedule;
 }
 

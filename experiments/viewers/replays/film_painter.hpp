@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "experiments/record/ports.hpp"
 #include "experiments/viewing/replay_view.hpp"

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "experiments/tables/number_text.hpp"
 #include "experiments/viewers/picture_overlays.hpp"
 #include "experiments/viewers/replays/replay_controls.hpp"
 #include "experiments/viewers/replays/replay_list.hpp"
@@ -171,12 +171,9 @@ class ReplayScreen final : public ViewerScreen {
       return "simulating at the finest level  " +
              std::to_string(static_cast<int>(100.0 * finest_.share())) + " %";
     }
-    char parts[80] = "  ·  never seen to part";
-    if (parting_step_) {
-      std::snprintf(parts, sizeof parts, "  ·  seen to part at %.0f ms",
-                    1e3 * static_cast<double>(*parting_step_) / loaded_.view.step_hz);
-    }
-    return std::string("at the finest level") + parts;
+    return parting_step_ ? printed("at the finest level  ·  seen to part at %.0f ms",
+                                   1e3 * static_cast<double>(*parting_step_) / loaded_.view.step_hz)
+                         : "at the finest level  ·  never seen to part";
   }
 
   [[nodiscard]] std::string words_of_recorded() const {
@@ -184,11 +181,10 @@ class ReplayScreen final : public ViewerScreen {
     if (!look_.camera.is_participants()) {
       const double right_deg = look_.camera.right_deg();
       const double up_deg = look_.camera.up_deg();
-      char text[120];
-      std::snprintf(text, sizeof text, "%sseen from %.0f° %s, %.0f° %s, ×%.1f  (R returns)",
-                    words.empty() ? "" : "  ·  ", std::abs(right_deg),
-                    right_deg < 0.0 ? "left" : "right", std::abs(up_deg),
-                    up_deg < 0.0 ? "below" : "above", look_.camera.magnification());
+      const std::string text = printed(
+          "%sseen from %.0f° %s, %.0f° %s, ×%.1f  (R returns)", words.empty() ? "" : "  ·  ",
+          std::abs(right_deg), right_deg < 0.0 ? "left" : "right", std::abs(up_deg),
+          up_deg < 0.0 ? "below" : "above", look_.camera.magnification());
       words += text;
     }
     return words;
@@ -291,11 +287,11 @@ class ReplayScreen final : public ViewerScreen {
   }
 
   void draw_state() const {
-    char text[200];
-    std::snprintf(text, sizeof text, "%s  ·  %.1f ms  ·  step %lld of %lld  ·  speed %s",
-                  playback_.playing() ? "playing" : "paused", 1e3 * playback_.time_s(),
-                  static_cast<long long>(playback_.step_number()),
-                  static_cast<long long>(playback_.last_step()), playback_.speed_words().c_str());
+    const std::string text =
+        printed("%s  ·  %.1f ms  ·  step %lld of %lld  ·  speed %s",
+                playback_.playing() ? "playing" : "paused", 1e3 * playback_.time_s(),
+                static_cast<long long>(playback_.step_number()),
+                static_cast<long long>(playback_.last_step()), playback_.speed_words().c_str());
     ImFont* font = canvas_.gui.fonts().body[2];
     const float width_px = content_width(canvas_.gui);
     const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "experiments/tables/number_text.hpp"
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/right_to_left.hpp"
 #include "experiments/window/typed_input.hpp"
@@ -46,8 +46,7 @@ int wrap_lines(ImGuiInputTextCallbackData* data) {
 }
 
 std::string shown_number(double value, const Language& language) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
+  const std::string text = printed("%g", value);
   return language.number(text);
 }
 
