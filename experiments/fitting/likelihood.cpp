@@ -109,6 +109,9 @@ void AnswerLikelihood::list_movable() {
     }
     using Scale = MovableParameter::Scale;
     const double value = *entry->place;
+    if (name == "effect" && value == 0.0) {
+      return;  // who is said to go by nothing is fitted as such
+    }
     if (entry->minimum == 0.0 && entry->maximum == 1.0) {
       movable_.push_back({name, entry->place, Scale::kShare, 1.0, true, 0.0});
     } else if (entry->minimum >= 0.0) {

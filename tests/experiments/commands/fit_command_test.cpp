@@ -48,6 +48,12 @@ TEST(FitCommand, ParametersSayWhatTheyWereFittedTo) {
   EXPECT_EQ(threshold["unit"], "ms");
 }
 
+TEST(FitCommand, WhoGoesByNothingIsComparedAsSuchAndForetellsWorse) {
+  const std::string page = text_of(FittedStudy::once().folder() / "fitted.md");
+  EXPECT_NE(page.find("causality foretells answers best"), std::string::npos);
+  EXPECT_EQ(page.find("null-causality foretells answers best"), std::string::npos);
+}
+
 // Of a normal posterior the middle of the draws is near its highest place, which is near the fit.
 TEST(FitCommand, ThePosteriorIsDrawnAndToldOnThePage) {
   const FittedStudy& study = FittedStudy::once();
