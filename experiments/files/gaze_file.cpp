@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/files/gaze_file.hpp"
 
-#include <csv.h>
-
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiments/files/table_lines.hpp"
 #include "experiments/models/readable_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline files {
 namespace {
 
-using Line = std::vector<std::string>;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr double kDay_s = 86'400.0;
+constexpr double kLatestOfClock_s = 1e10;  ///< such as 1.8e9, from 1970 on
+constexpr double kFarthest = 1e6;          ///< of what is on no screen, in any unit
 using Unit = GazeRecording::Unit;
 
 /// A name for times, how long one of its units is, and whether it counts from the onset.
@@ -58,25 +61,71 @@ constexpr PlaceNames kPlaces[] = {{"x_m", "y_m", Unit::kMetres},
 
 constexpr const char* kTrials[] = {"trial", "trial_id", "TRIAL_INDEX"};
 
-/// A column that says whether a sample counts, and what it says where it does.
-struct ValidityName {
-  const char* name;
-  bool (*counts)(const std::string& cell);
-};
+/// A cell for a sentence: its beginning, without what a terminal would obey.
+std::string quoted_cell(const std::string& cell) {
+  const std::string beginning = cell.substr(0, 60);
+  return nlohmann::json(beginning).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+         (beginning == cell ? "" : " ...");
+}
 
-std::optional<double> number(const std::string& cell) {
+std::optional<double> number(std::string_view cell) {
+  cell.remove_prefix(cell.starts_with('+') && !cell.starts_with("+-") ? 1 : 0);
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   const bool is_whole = error == std::errc() && end == cell.data() + cell.size();
   return is_whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+/// Whether a cell is one of these words, in whatever case.
+bool is_one_of(std::initializer_list<std::string_view> words, std::string cell) {
+  std::transform(cell.begin(), cell.end(), cell.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return std::find(words.begin(), words.end(), cell) != words.end();
+}
+
+/// Trackers, R, Python and C write so where there is no value.
+bool says_nothing(const std::string& cell) {
+  return is_one_of({"", ".", "na", "n/a", "nan", "-nan"}, cell);
+}
+
+/// A column that says whether a sample counts.
+struct ValidityName {
+  const char* name;
+  const char* expected;
+  bool (*counts)(const std::string& cell);
+  bool (*does_not)(const std::string& cell);  ///< where neither holds, the file is refused
+};
+
+constexpr double kLeastConfidence = 0.6;
+
 constexpr ValidityName kValidities[] = {
-    {"valid",
-     [](const std::string& cell) { return cell == "1" || cell == "TRUE" || cell == "true"; }},
-    {"loss", [](const std::string& cell) { return cell.empty(); }},
-    {"confidence", [](const std::string& cell) { return number(cell).value_or(0.0) >= 0.6; }},
-    {"Validity left", [](const std::string& cell) { return cell == "Valid" || cell == "0"; }}};
+    {"valid", "1, 0, true, false or nothing",
+     [](const std::string& cell) {
+       return is_one_of({"1", "true"}, cell);
+     },
+     [](const std::string& cell) {
+       return is_one_of({"0", "false"}, cell) || says_nothing(cell);
+     }},
+    {"loss", "blink, off screen, lost or nothing", says_nothing,
+     [](const std::string& cell) {
+       return is_one_of({"blink", "off screen", "lost"}, cell);
+     }},
+    {"confidence", "a number from 0 to 1, or nothing",
+     [](const std::string& cell) {
+       const double confidence = number(cell).value_or(0.0);
+       return confidence >= kLeastConfidence && confidence <= 1.0;
+     },
+     [](const std::string& cell) {
+       const double confidence = number(cell).value_or(-1.0);
+       return (confidence >= 0.0 && confidence < kLeastConfidence) || says_nothing(cell);
+     }},
+    {"Validity left", "Valid, Invalid, a whole number from 0 to 4 or nothing",
+     [](const std::string& cell) {
+       return is_one_of({"valid", "0"}, cell);
+     },
+     [](const std::string& cell) {
+       return is_one_of({"invalid", "1", "2", "3", "4"}, cell) || says_nothing(cell);
+     }}};
 
 std::string text_of(const std::filesystem::path& file) {
   try {
@@ -86,45 +135,10 @@ std::string text_of(const std::filesystem::path& file) {
   }
 }
 
-/// The lines of a table; libcsv takes them apart.
-class Lines {
- public:
-  static std::vector<Line> of(const std::string& text) {
-    Lines lines;
-    csv_parser parser;
-    csv_init(&parser, CSV_APPEND_NULL);
-    csv_set_delim(&parser, static_cast<unsigned char>(separator_of(text)));
-    const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-    csv_parse(&parser, text.data() + begin, text.size() - begin, take_cell, take_line, &lines);
-    csv_fini(&parser, take_cell, take_line, &lines);
-    csv_free(&parser);
-    return std::move(lines.all_);
-  }
-
- private:
-  /// Of comma, tab and semicolon, the one that the line of names has most of.
-  static char separator_of(const std::string& text) {
-    const std::string names = text.substr(0, text.find('\n'));
-    const auto count = [&](char one) { return std::count(names.begin(), names.end(), one); };
-    return std::max({',', '\t', ';'}, [&](char a, char b) { return count(a) < count(b); });
-  }
-  static void take_cell(void* cell, std::size_t size, void* lines) {
-    static_cast<Lines*>(lines)->line_.emplace_back(static_cast<const char*>(cell), size);
-  }
-  static void take_line(int /*ended_by*/, void* lines) {
-    auto* own = static_cast<Lines*>(lines);
-    own->all_.push_back(std::move(own->line_));
-    own->line_.clear();
-  }
-
-  std::vector<Line> all_;
-  Line line_;
-};
-
 /// What a file's columns are.
 class GazeColumns {
  public:
-  GazeColumns(const std::string& file, const Line& names) : file_(file), names_(names) {
+  GazeColumns(const std::string& file, const TableLine& names) : file_(file), names_(names) {
     find_time();
     find_place();
     for (const char* name : kTrials) {
@@ -135,49 +149,97 @@ class GazeColumns {
     participant_ = find("participant");
     for (const ValidityName& name : kValidities) {
       if (const auto column = find(name.name)) {
-        validities_.emplace_back(*column, name.counts);
+        validities_.emplace_back(*column, &name);
       }
     }
   }
 
   [[nodiscard]] Unit unit() const { return place_->unit; }
   [[nodiscard]] bool from_onset() const { return time_->from_onset; }
-  [[nodiscard]] bool is_main(const Line& line) const {
-    return (!phase_ || cell(line, *phase_) == "main") &&
-           (!outcome_ || cell(line, *outcome_) == "completed");
+
+  /// A line that does not count may lack all else.
+  [[nodiscard]] bool is_main(const TableLine& line) const {
+    if (phase_ && !is_one_of({"practice", "adaptation", "main"}, line.cells[*phase_])) {
+      refuse_cell(line, *phase_, "practice, adaptation or main");
+    }
+    if (outcome_ && !is_one_of({"completed", "interrupted", "set aside"}, line.cells[*outcome_])) {
+      refuse_cell(line, *outcome_, "completed, interrupted or set aside");
+    }
+    return (!phase_ || is_one_of({"main"}, line.cells[*phase_])) &&
+           (!outcome_ || is_one_of({"completed"}, line.cells[*outcome_]));
   }
-  [[nodiscard]] std::string participant(const Line& line) const {
-    return participant_ ? cell(line, *participant_) : "";
+  void require_participant_of(const TableLine& first, const TableLine& line) const {
+    if (participant_ && line.cells[*participant_] != first.cells[*participant_]) {
+      refuse_table_line(file_, line.number,
+                        "the gaze of one participant, got " + first.cells[*participant_] + " and " +
+                            line.cells[*participant_]);
+    }
   }
-  [[nodiscard]] std::string trial(const Line& line) const {
-    return trial_ ? cell(line, *trial_) : "";
+  [[nodiscard]] std::string trial(const TableLine& line) const {
+    return trial_ ? line.cells[*trial_] : "";
   }
 
-  /// `number_of_line` is for sentences.
-  [[nodiscard]] GazeRecording::Sample sample(const Line& line, std::size_t number_of_line) const {
-    const std::optional<double> time = number(cell(line, time_column_));
-    if (!time) {
-      throw InputError(file_ + ":" + std::to_string(number_of_line) +
-                       ": expected a number in the column \"" + time_->name + "\", got \"" +
-                       cell(line, time_column_) + "\"");
-    }
-    const std::optional<double> x = number(cell(line, x_));
-    const std::optional<double> y = number(cell(line, y_));
+  [[nodiscard]] GazeRecording::Sample sample(const TableLine& line) const {
+    const double time_s = time(line);
+    const std::optional<double> x = place(line, x_);
+    const std::optional<double> y = place(line, y_);
     bool valid = x && y;
-    for (const auto& [column, counts] : validities_) {
-      valid = valid && counts(cell(line, column));
+    for (const auto& [column, validity] : validities_) {
+      const bool counts = validity->counts(line.cells[column]);
+      if (!counts && !validity->does_not(line.cells[column])) {
+        refuse_cell(line, column, validity->expected);
+      }
+      valid = valid && counts;
     }
-    return {*time * time_->unit_s, x.value_or(0.0), y.value_or(0.0), valid};
+    for (const std::size_t column : {x_, y_}) {
+      if (valid && std::abs(*place(line, column)) > kFarthest) {
+        refuse_cell(line, column, "a place from -1000000 to 1000000");
+      }
+    }
+    return {time_s, x.value_or(0.0), y.value_or(0.0), valid};
+  }
+
+  [[noreturn]] void refuse_time(const TableLine& line, const std::string& expected) const {
+    refuse_cell(line, time_column_, expected);
   }
 
  private:
-  static std::string cell(const Line& line, std::size_t column) {
-    return column < line.size() ? line[column] : "";
+  [[nodiscard]] double time(const TableLine& line) const {
+    const std::optional<double> value = number(line.cells[time_column_]);
+    if (!value) {
+      refuse_time(line, "a number");
+    }
+    const double time_s = *value * time_->unit_s;
+    if (from_onset() && std::abs(time_s) > kDay_s) {
+      refuse_time(line, "a time within a day of the stimulus's onset");
+    }
+    if (std::abs(time_s) > kLatestOfClock_s) {
+      refuse_time(line, "a clock's time within 300 years of its zero");
+    }
+    return time_s;
   }
+
+  /// Nothing where the eye was lost.
+  [[nodiscard]] std::optional<double> place(const TableLine& line, std::size_t column) const {
+    const std::optional<double> value = number(line.cells[column]);
+    if (!value && !says_nothing(line.cells[column])) {
+      refuse_cell(line, column, "a number such as -1.5, or nothing where the eye was lost,");
+    }
+    return value;
+  }
+
+  /// Of two columns of one name it would not be said which one counts.
   [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    return found == names_.end() ? std::nullopt
-                                 : std::optional(static_cast<std::size_t>(found - names_.begin()));
+    const auto begin = names_.cells.begin();
+    const auto end = names_.cells.end();
+    const auto found = std::find(begin, end, name);
+    if (found == end) {
+      return std::nullopt;
+    }
+    if (std::find(found + 1, end, name) != end) {
+      refuse("one column " + name + ", got " + std::to_string(std::count(begin, end, name)));
+    }
+    return static_cast<std::size_t>(found - begin);
   }
 
   void find_time() {
@@ -204,8 +266,9 @@ class GazeColumns {
       all += (all.empty() ? "" : ", ") + std::string(names.x);
       const auto x = find(names.x);
       const auto y = find(names.y);
-      if (x && !y) {
-        refuse("a column " + std::string(names.y) + " beside " + names.x);
+      if (x.has_value() != y.has_value()) {
+        refuse("a column " + std::string(x ? names.y : names.x) + " beside " +
+               (x ? names.x : names.y));
       }
       if (x && place_ == nullptr) {
         place_ = &names;
@@ -221,11 +284,17 @@ class GazeColumns {
   }
 
   [[noreturn]] void refuse(const std::string& expected) const {
-    throw InputError(file_ + ":1: expected " + expected);
+    refuse_table_line(file_, names_.number, expected);
+  }
+  [[noreturn]] void refuse_cell(const TableLine& line, std::size_t column,
+                                const std::string& expected) const {
+    refuse_table_line(file_, line.number,
+                      expected + " in the column " + quoted_cell(names_.cells[column]) + ", got " +
+                          quoted_cell(line.cells[column]));
   }
 
   const std::string& file_;
-  const Line& names_;
+  const TableLine& names_;
   const TimeName* time_{nullptr};
   const PlaceNames* place_{nullptr};
   std::size_t time_column_{0};
@@ -235,14 +304,14 @@ class GazeColumns {
   std::optional<std::size_t> phase_;
   std::optional<std::size_t> outcome_;
   std::optional<std::size_t> participant_;
-  std::vector<std::pair<std::size_t, bool (*)(const std::string&)>> validities_;
+  std::vector<std::pair<std::size_t, const ValidityName*>> validities_;
 };
 
 }  // namespace
 
 GazeRecording load_gaze_recording(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::vector<Line> lines = Lines::of(text_of(file));
+  const std::vector<TableLine> lines = table_lines(name, text_of(file));
   if (lines.empty()) {
     throw InputError(name + ": expected a line of names and lines of samples, got an empty file");
   }
@@ -252,30 +321,32 @@ GazeRecording load_gaze_recording(const std::filesystem::path& file) {
   std::string trial;
   double first_s = 0.0;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (!columns.is_main(lines[i])) {
+    const TableLine& line = lines[i];
+    if (!columns.is_main(line)) {
       continue;
     }
-    if (columns.participant(lines[i]) != columns.participant(lines[1])) {
-      throw InputError(name + ":" + std::to_string(i + 1) +
-                       ": expected the gaze of one participant, got " +
-                       columns.participant(lines[1]) + " and " + columns.participant(lines[i]));
-    }
-    GazeRecording::Sample sample = columns.sample(lines[i], i + 1);
-    if (recording.trials.empty() || columns.trial(lines[i]) != trial) {
-      trial = columns.trial(lines[i]);
+    columns.require_participant_of(lines[1], line);
+    GazeRecording::Sample sample = columns.sample(line);
+    if (recording.trials.empty() || columns.trial(line) != trial) {
+      trial = columns.trial(line);
       recording.trials.emplace_back();
       first_s = columns.from_onset() ? 0.0 : sample.time_s;
     }
     sample.time_s -= first_s;
     std::vector<GazeRecording::Sample>& samples = recording.trials.back();
     if (!samples.empty() && sample.time_s < samples.back().time_s) {
-      throw InputError(name + ":" + std::to_string(i + 1) +
-                       ": expected times that go on within a trial, got one before the last");
+      refuse_table_line(name, line.number,
+                        "times that go on within a trial, got one before the last");
+    }
+    if (sample.time_s > kDay_s) {
+      columns.refuse_time(line, "a time within a day of its trial's first");
     }
     samples.push_back(sample);
   }
   if (recording.trials.empty()) {
-    throw InputError(name + ": expected lines of samples after the names, got none");
+    throw InputError(name + ": expected " +
+                     (lines.size() == 1 ? "lines of samples after the names, got none"
+                                        : "samples of completed main trials, got none but others"));
   }
   return recording;
 }
