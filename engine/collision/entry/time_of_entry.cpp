@@ -209,7 +209,7 @@ class EntrySearch {
     OfBlock ways;
     std::uint64_t near = ways_.within(safe_, hair_m_, block, ways);
     if (level >= pair_.greatest_level &&
-        pairs_.tests() + block.rows * block.columns < pair_.most_tests) {
+        pairs_.tests() + std::int64_t{block.rows} * block.columns < pair_.most_tests) {
       bound_last_block(block, near, ways, at_least);
       return;
     }
