@@ -3,6 +3,9 @@
 # SPDX-License-Identifier: MIT
 
 kAnovaFamily <- "repeated-measures ANOVA"
+kEtaIntervalWords <- paste("The interval is of what generalised eta squared tends to with more",
+  "participants (from the noncentral F). The estimate runs high where participants are few, and may lie",
+  "above the interval.")
 kPooledFamily <- "pooled ANOVA, as in the thesis"
 kFriedmanFamily <- "Friedman"
 kEquivalenceFamily <- "equivalence"
@@ -16,8 +19,7 @@ left_out_remark <- function(test, count) {
 
 # Repeated-measures ANOVA of participants' cell means, Greenhouse–Geisser corrected, with
 # generalised eta squared (Olejnik and Algina 2003). Participants with an empty cell are left out,
-# and counted. The correction needs more participants than an effect has degrees of freedom; an
-# effect without it is labelled so.
+# and counted.
 repeated_measures_tests <- function(trials, factors) {
   trials[factors] <- lapply(trials[factors], droplevels)
   between <- between_factors(trials, factors)
@@ -39,31 +41,59 @@ repeated_measures_tests <- function(trials, factors) {
       "The repeated-measures ANOVA has no variance left within participants to test against, or",
       "too few participants for its interactions, and is not reported."))))
   }
-  fit$within <- vapply(strsplit(fit$effect, ":", fixed = TRUE), function(of) any(of %in% within), NA)
-  fit$corrected <- !fit$within | fit$spare_df > fit$whole_df
-  if (!all(fit$corrected)) {
-    remarks <- c(remarks, sprintf(
-      "Greenhouse–Geisser's correction needs more than %d participants for %s: p is uncorrected.",
-      nrow(complete), paste(fit$effect[!fit$corrected], collapse = ", ")))
-  }
   outcome(each_row(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)), remarks)
 }
 
-# One row per effect: effect, F, corrected df1 and df2, whole_df, p, ges, and sums of squares;
-# spare_df: participants beyond those that the groups take. `between`: factors of which each
-# participant has one level.
+# One row per effect: effect, F, df1 and df2 after Greenhouse and Geisser, p, ges, sums of squares;
+# within: does it have a factor within participants? independent: participants beyond the groups'
+# means. `between`: factors of which each participant has one level.
 fit_anova <- function(trials, factors, between = NULL) {
   model <- afex::aov_ez("participant", "rating", trials,
     within = if (length(factors) > 0) unname(factors), between = between, fun_aggregate = mean,
-    anova_table = list(es = "ges", correction = "GG"), include_aov = FALSE)
+    anova_table = list(es = "ges", correction = "none"), include_aov = FALSE)
   table <- model$anova_table
+  effects <- strsplit(rownames(table), ":", fixed = TRUE)
+  # Not afex's own epsilon: that is left out where participants are no more than df.
+  epsilon <- epsilon_of_effects(trials, effects, factors, between)
   squares <- squares_of(model, length(factors) > 0)
   squares <- squares[match(rownames(table), rownames(squares)), , drop = FALSE]
-  cells <- if (length(between) > 0) nrow(unique(trials[between])) else 1
-  data.frame(effect = rownames(table), df1 = table[["num Df"]], df2 = table[["den Df"]],
-    whole_df = squares[, "num Df"], F = table[["F"]], p = table[["Pr(>F)"]],
-    ges = table[["ges"]], ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"],
-    spare_df = participant_count(trials) - cells + 1)
+  groups <- if (length(between) > 0) nrow(unique(trials[between])) else 1
+  df1 <- epsilon * table[["num Df"]]
+  df2 <- epsilon * table[["den Df"]]
+  data.frame(effect = rownames(table), df1 = df1, df2 = df2, F = table[["F"]],
+    p = stats::pf(table[["F"]], df1, df2, lower.tail = FALSE), ges = table[["ges"]],
+    ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"],
+    within = vapply(effects, function(of) any(of %in% factors), NA),
+    independent = participant_count(trials) - groups)
+}
+
+# Greenhouse and Geisser's epsilon of each effect, given as the names of its factors; 1 of those
+# between participants. A contrast of an effect is a product of contrasts of its factors, over means
+# of the other ones.
+epsilon_of_effects <- function(trials, effects, factors, between) {
+  if (length(factors) == 0) return(rep(1, length(effects)))
+  means <- participant_means(trials, factors)
+  first <- trials[match(rownames(means), as.character(trials$participant)), between, drop = FALSE]
+  groups <- if (length(between) > 0) interaction(first, drop = TRUE) else rep(1, nrow(means))
+  vapply(effects, function(effect) {
+    if (!any(effect %in% factors)) return(1)
+    parts <- lapply(factors, function(factor) {
+      count <- nlevels(trials[[factor]])
+      if (factor %in% effect) orthonormal_contrasts(count) else matrix(1, count)
+    })
+    sphericity(means %*% Reduce(kronecker, parts), groups)
+  }, 0)
+}
+
+orthonormal_contrasts <- function(levels) qr.Q(qr(stats::contr.helmert(levels)))
+
+# Epsilon after Greenhouse and Geisser (1959), from 1 / df to 1: tr(S)^2 / (df tr(S S)), S the
+# covariance of orthonormal contrasts (participants by df) within groups. S needs no inverse, so
+# there may be fewer participants than contrasts.
+sphericity <- function(contrasts, groups = rep(1, nrow(contrasts))) {
+  own <- contrasts - apply(contrasts, 2, stats::ave, groups)
+  squares <- crossprod(own)
+  sum(diag(squares))^2 / (ncol(contrasts) * sum(squares^2))
 }
 
 # Sums of squares of a fit's effects and of their errors, and degrees of freedom.
@@ -74,33 +104,32 @@ squares_of <- function(model, is_within) {
     "Error SS" = table["Residuals", "Sum Sq"]) |> `rownames<-`(rownames(table))
 }
 
+# The interval's sum of squares is that of the population's means, from the noncentrality of F:
+# lambda times the error's mean square. Beside it stand the errors as estimated, n mean squares for
+# each contrast in place of the `independent` ones that residuals have. Lambda has the factor epsilon
+# as df2 has it, so it cancels.
 anova_row <- function(effect, trials) {
-  partial <- eta_squared_interval(effect$F, effect$df1, effect$df2)
-  # Generalised eta squared is SS / (SS + the error of every stratum). The interval's SS follows
-  # from the partial one; the errors are held at their estimates.
-  error <- effect$ss / effect$ges - effect$ss
+  n <- participant_count(trials)
+  error <- effect$ss / effect$ges - effect$ss  # ges is SS / (SS + the error of every stratum)
   if (!is.finite(error)) error <- effect$ss_error
-  limits <- effect$ss_error * partial / (1 - partial)
+  ss <- noncentrality_limits(effect$F, effect$df1, effect$df2) * effect$ss_error / effect$df2
   method <- paste("ANOVA of participants' cell means,",
-    if (!effect$within) "between participants" else
-      if (effect$corrected) "Greenhouse–Geisser" else "uncorrected")
+    if (effect$within) "Greenhouse–Geisser" else "between participants")
   test_row(kAnovaFamily, method, effect$effect, "F", effect$F, effect$df1, effect$df2,
-    effect$p, "generalised eta squared", effect$ges, limits / (limits + error), 0.90,
-    participant_count(trials), nrow(trials))
+    effect$p, "generalised eta squared", effect$ges, ss / (ss + error * n / effect$independent), 0.90,
+    n, nrow(trials))
 }
 
 # p of the effect that the columns of `means` (participants by levels, no NA) have, corrected after
-# Greenhouse and Geisser (1959), at a thousandth of the cost of the whole ANOVA; NA where nothing
-# varies. With a complete design it is the main effect of the whole factorial one.
-# epsilon = tr(S)^2 / ((k - 1) tr(S S)), S the covariance of orthonormal contrasts.
+# Greenhouse and Geisser, at a thousandth of the cost of the whole ANOVA; NA where nothing varies.
+# With a complete design it is the main effect of the whole factorial one.
 greenhouse_geisser_p <- function(means) {
   n <- nrow(means)
   df <- ncol(means) - 1
-  contrasts <- means %*% qr.Q(qr(stats::contr.helmert(ncol(means))))
-  covariance <- stats::cov(contrasts)
-  error <- sum(diag(covariance))
+  contrasts <- means %*% orthonormal_contrasts(ncol(means))
+  error <- sum(apply(contrasts, 2, stats::var))
   if (is.na(error) || error < 1e-12) return(NA_real_)
-  epsilon <- error^2 / (df * sum(covariance^2))
+  epsilon <- sphericity(contrasts)
   stats::pf(n * sum(colMeans(contrasts)^2) / error, df * epsilon, df * (n - 1) * epsilon,
     lower.tail = FALSE)
 }

@@ -125,9 +125,13 @@ cousineau_morey <- function(means, level = 0.95) {
 # A limit is lambda / (lambda + df1 + df2 + 1), where the noncentrality lambda puts the observed F
 # at the tail's probability. 90 % by convention: its lower limit exceeds 0 just when p < .05.
 eta_squared_interval <- function(F, df1, df2, level = 0.90) {
+  as_eta_squared(noncentrality_limits(F, df1, df2, level), df1, df2)
+}
+
+# c(low, high) of the noncentrality.
+noncentrality_limits <- function(F, df1, df2, level = 0.90) {
   tail <- (1 - level) / 2
-  lambda <- vapply(c(low = 1 - tail, high = tail), function(p) noncentrality_at(p, F, df1, df2), 0)
-  as_eta_squared(lambda, df1, df2)
+  vapply(c(low = 1 - tail, high = tail), function(p) noncentrality_at(p, F, df1, df2), 0)
 }
 
 as_eta_squared <- function(lambda, df1, df2) lambda / (lambda + df1 + df2 + 1)

@@ -163,7 +163,8 @@ test_lines <- function(rows) {
     size <- unique(stats::na.omit(mine$effect_size_name))
     level <- unique(stats::na.omit(mine$interval_level))
     c(sprintf("<h4>%s</h4>", html_text(family)),
-      sprintf("<p class=\"note\">%s</p>", html_text(paste(unique(mine$method), collapse = "; or "))),
+      sprintf("<p class=\"note\">%s</p>", html_text(paste0(paste(unique(mine$method), collapse = "; or "),
+        if (family == kAnovaFamily) paste0(". ", kEtaIntervalWords)))),
       html_table(shown, c("Effect", "Statistic", "p", "Holm-corrected p",
         if (length(size) == 1) sentence_case(size) else "Effect size",
         if (length(level) == 1) sprintf("%.0f %% interval", 100 * level) else "Interval",

@@ -110,7 +110,7 @@ quick_anova_row <- function(means) {
   trials <- data.frame(participant = rownames(means))
   anova_row(data.frame(effect = "delay_ms", df1 = epsilon * (k - 1), df2 = epsilon * (k - 1) * (n - 1),
     F = ss / ss_error * (n - 1), p = NA, ges = ss / (ss + ss_error + ss_people), ss = ss,
-    ss_error = ss_error, within = TRUE, corrected = TRUE), trials)
+    ss_error = ss_error, within = TRUE, independent = n - 1), trials)
 }
 
 # Does the difference of two cells lie as far from `truth` as their two intervals together allow:

@@ -43,13 +43,55 @@ test_that("a participant with an empty cell is left out and counted", {
     "1 participant without a rating in every cell is left out of the repeated-measures ANOVA.")
 })
 
-test_that("an effect too wide for the Greenhouse–Geisser correction is labelled uncorrected", {
+test_that("epsilon is afex's where afex has one, of interactions and with groups too", {
+  data(obk.long, package = "afex", envir = environment())
+  trials <- cbind(obk(), treatment = obk.long$treatment)
+  compare <- function(factors, between = NULL) {
+    model <- summary(suppressMessages(suppressWarnings(afex::aov_ez("participant", "rating", trials,
+      within = factors, between = between, fun_aggregate = mean))))
+    theirs <- model$pval.adjustments[, "GG eps"]
+    fit <- suppressMessages(fit_anova(trials, factors, between))
+    own <- epsilon_of_effects(trials, strsplit(names(theirs), ":", fixed = TRUE), factors, between)
+    expect_equal(own, unname(theirs), tolerance = 1e-8)
+    mine <- match(names(theirs), fit$effect)
+    expect_equal(fit$df2[mine], unname(theirs * model$univariate.tests[names(theirs), "den Df"]), tolerance = 1e-8)
+  }
+  compare(c("phase", "hour"))                # 2, 4 and 8 df, 16 participants
+  compare(c("phase", "hour"), "treatment")   # the error is that within groups of 5, 5 and 6
+})
+
+test_that("an effect of more df than there are participants is corrected as any other", {
   trials <- obk()
-  trials <- droplevels(trials[trials$participant %in% c("1", "4", "9", "12"), ])
+  trials <- droplevels(trials[trials$participant %in% c("1", "4", "9"), ])
   result <- repeated_measures_tests(trials, c("phase", "hour"))
-  expect_match(result$rows$method[2], "uncorrected")
-  expect_equal(result$remarks, paste("Greenhouse–Geisser's correction needs more than",
-    "4 participants for hour, phase:hour: p is uncorrected."))
+  expect_equal(result$remarks, character())
+  rows <- result$rows
+  expect_match(rows$method, "Greenhouse")
+  # The interaction's covariance by hand: what cell means have beyond those of phase, hour and person.
+  means <- participant_means(trials, c("phase", "hour"))
+  centre <- function(k) diag(k) - 1 / k
+  S <- cov(means %*% kronecker(centre(3), centre(5)))
+  epsilon <- sum(diag(S))^2 / (8 * sum(S^2))
+  expect_lt(epsilon, 2 / 8 + 1e-9)  # two dimensions at most, of three participants
+  interaction <- rows[rows$effect == "phase:hour", ]
+  expect_equal(c(interaction$df1, interaction$df2), epsilon * c(8, 16))
+  expect_equal(interaction$p, pf(interaction$statistic, epsilon * 8, epsilon * 16,
+    lower.tail = FALSE))
+})
+
+test_that("the interval of generalised eta squared is in the units of its estimate", {
+  # Of a main effect: SS of the population's means is lambda times the error's mean square; errors
+  # tend to n / (n - 1) of theirs.
+  trials <- obk()
+  fit <- suppressMessages(fit_anova(trials, c("phase", "hour")))
+  fit <- fit[fit$effect == "phase", ]
+  lambda <- noncentrality_limits(fit$F, fit$df1, fit$df2)
+  at <- vapply(lambda, function(ncp) pf(fit$F, fit$df1, fit$df2, ncp = ncp), 0)
+  expect_equal(unname(at), c(.95, .05), tolerance = 1e-6)  # uniroot's tolerance
+  errors <- fit$ss / fit$ges - fit$ss
+  ss <- lambda * fit$ss_error / fit$df2
+  row <- repeated_measures_tests(trials, c("phase", "hour"))$rows[1, ]
+  expect_equal(c(row$interval_low, row$interval_high), unname(ss / (ss + errors * 16 / 15)))
 })
 
 test_that("Friedman's test gives the published result for the rounding times", {
@@ -85,4 +127,9 @@ test_that("Holm's correction stays within its family", {
   row <- function(family, p) test_row(family, "m", "e", "z", 1, 1, p = p)
   tests <- combine_outcomes(outcome(rbind(row("A", 0.01), row("B", 0.02), row("A", 0.03))))
   expect_equal(tests$rows$p_holm, c(0.02, 0.02, 0.03))  # A: 2 × .01, 1 × .03; B: 1 × .02
+})
+
+test_that("the page says what the interval of generalised eta squared is", {
+  expect_match(test_lines(combine_outcomes(repeated_measures_tests(obk(), "phase"))$rows),
+    "tends to with more participants", fixed = TRUE, all = FALSE)
 })
