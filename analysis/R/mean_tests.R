@@ -172,30 +172,12 @@ friedman_tests <- function(trials, factors) {
     if (!is.finite(test$statistic)) {
       return(outcome(remarks = paste0("No Friedman test of ", factor, ": every rank is tied.")))
     }
-    ranked <- ranks_and_ties(complete)
     outcome(test_row(kFriedmanFamily, "Friedman's rank test of participants' means", factor,
       "chi-squared", test$statistic[[1]], test$parameter[[1]], p = test$p.value,
-      size_name = "Kendall's W", size = agreement(ranked),
-      interval = bootstrap_interval(ranked, agreement), interval_level = 0.95,
+      size_name = "Kendall's W",  # the agreement of rankings, from 0 to 1
+      size = test$statistic[[1]] / (nrow(complete) * (ncol(complete) - 1)),
       participants = nrow(complete), trials = nrow(trials)), remarks)
   })))
-}
-
-# One row per participant: the ranks and, last, the correction for ties. A bootstrap draws these rows,
-# so that nobody is ranked twice.
-ranks_and_ties <- function(means) {
-  t(apply(means, 1, function(row) {
-    tied <- table(row)
-    c(rank(row), sum(tied^3 - tied))
-  }))
-}
-
-# Kendall's W, the agreement of rankings from 0 to 1: chi-squared / (n (k - 1)), ties corrected.
-agreement <- function(ranked) {
-  n <- nrow(ranked)
-  k <- ncol(ranked) - 1
-  sums <- colSums(ranked)
-  12 * sum((sums[-(k + 1)] - n * (k + 1) / 2)^2) / (n^2 * (k^3 - k) - n * sums[[k + 1]])
 }
 
 # A paired t test of participants' differences, with their mean's 95 % interval; none for fewer than

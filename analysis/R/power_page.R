@@ -5,8 +5,8 @@
 #                       ─> power.html, power.svg, power.pdf, power.csv
 #
 # The interval is the Monte-Carlo one: exact (Clopper and Pearson 1934), for a limited number of
-# studies. Rejected: p < .05 after Holm within the factors that are tested, as the report of a real
-# study decides; `alone`: p < .05 as it is, which is what a test's own type-I error is about.
+# studies. Rejected: p < .05 after Holm within the factors that are tested (a report's family has the
+# ANOVA's interactions too); `alone`: p < .05 as it is, which is what a test's own type-I error is about.
 # A study whose test could not be made did not reject.
 # SPDX-License-Identifier: MIT
 
@@ -205,6 +205,8 @@ power_method <- function(ledger, question, rates) {
     if (length(question$compared) > 0) sprintf(", in trials of %s %s and %s alone",
       plain_name(question$compared[1]), question$compared[2], question$compared[3]), ". ",
     if (power_family_size(rates) > 1) "Tests were corrected after Holm over the factors tested. ",
+    if (question$model == "means") paste("A report of a study corrects p of all main effects and",
+      "interactions of the ANOVA together: with interactions it rejects no more often than here. "),
     "Intervals are exact binomial ones over studies. Simulated by ", paste(builds, collapse = "; "),
     ".")
 }

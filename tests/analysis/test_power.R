@@ -67,6 +67,17 @@ test_that("the quick ANOVA is the main effect of the whole one, of any number of
   expect_identical(greenhouse_geisser_p(matrix(2, 5, 3)), NA_real_)
 })
 
+test_that("of fewer participants than levels too, power's p of a factor is the report's", {
+  set.seed(8)
+  trials <- expand.grid(participant = sprintf("S%02d", 1:3), delay_ms = factor(50 * (0:4)),
+    gap_arcmin = factor(c(0, 5, 10, 20)), repetition = 1:2)
+  trials$rating <- sample(1:5, nrow(trials), replace = TRUE)
+  factors <- c("delay_ms", "gap_arcmin")
+  report <- repeated_measures_tests(trials, factors)$rows
+  expect_equal(power_tests_of_means(trials, factors, "rating")$p,
+    report$p[match(factors, report$effect)], tolerance = 1e-9)
+})
+
 test_that("a study of N is the first N participants, tested as the report tests them", {
   study <- write_study(tempfile(fileext = ".sqlite"), as_simulated(causality_trials(5, 12)))
   ledger <- new_ledger()
@@ -180,6 +191,8 @@ test_that("the page answers how many, what happens without the effect, and why t
   expect_match(page, "does not hold .05 for delay (ms) with 20 participants (.150 [", fixed = TRUE)
   expect_match(page, "nothing varies", fixed = TRUE)
   expect_match(page, "&lt;assumed&gt;", fixed = TRUE)
+  expect_match(page, "corrects p of all main effects and interactions of the ANOVA together",
+    fixed = TRUE)
   expect_match(page, "Without the effect: effect 0; the rest as above.", fixed = TRUE)
   expect_false(grepl("<script|<link|<img|src=|@import|href=\"[^#]", page))
   expect_false(grepl("\\b(NaN|Inf|NULL|NA)\\b", gsub("<svg.*?</svg>", "", page)))

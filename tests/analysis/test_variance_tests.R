@@ -108,7 +108,12 @@ test_that("Friedman's test gives the published result for the rounding times", {
   row <- friedman_tests(trials, "method")$rows
   expect_equal(row$statistic, 11.143, tolerance = 1e-4)  # published to 3 decimals
   expect_equal(row$p, 0.003805, tolerance = 1e-3)        # published to 4 digits
-  expect_equal(row$effect_size, row$statistic / (22 * 2))  # W = chi-squared / (n (k - 1))
+  # W of ranks with ties, 12 S / (n^2 (k^3 - k) - n sum(t^3 - t)): Kendall and Babington Smith (1939).
+  ranks <- t(apply(times, 1, rank))
+  ties <- sum(apply(times, 1, function(row) sum(table(row)^3 - table(row))))
+  expect_equal(row$effect_size,
+    12 * sum((colSums(ranks) - mean(colSums(ranks)))^2) / (22^2 * (3^3 - 3) - 22 * ties))
+  expect_true(is.na(row$interval_low) && is.na(row$interval_high))
 })
 
 test_that("the pooled ANOVA is the thesis's: every trial, overall and at each speed", {
