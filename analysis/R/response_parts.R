@@ -212,13 +212,20 @@ click_part <- function(path, protocol) {
   with_factors_that_vary(keep_people_apart(with_every_factor(part)))
 }
 
-# Trials that a click ended, and when it came.
+# Trials that a click ended, and when it came; part$unclicked: those that ended without one.
 press_part <- function(path, protocol) {
-  part <- read_trials(path, protocol, "clicked_trial", "main trials with a click",
-    where = "first_click_s IS NOT NULL")
+  part <- keep_people_apart(with_every_factor(read_trials(path, protocol, "clicked_trial",
+    "main trials with a click")))
   part$trials$press_s <- part$trials$first_click_s
+  clicked <- !is.na(part$trials$press_s)
+  if (!any(clicked)) {
+    refuse_without_answers(part$files[1], ": expected main trials with a click of '", protocol,
+      "', got none yet")
+  }
+  part$unclicked <- part$trials[!clicked, ]
+  part$trials <- part$trials[clicked, ]
   part$response <- "press"
-  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+  with_factors_that_vary(part)
 }
 
 # Is this response analysed by participants' means alone?

@@ -80,8 +80,8 @@ simulated_lines <- function(path, protocol) {
 }
 
 part_data_lines <- function(part) {
-  words <- c(participants_sentence(part), exclusions_sentence(part), catch_sentence(part),
-    hashes_sentence(part))
+  words <- c(participants_sentence(part), exclusions_sentence(part), unclicked_sentence(part),
+    catch_sentence(part), hashes_sentence(part))
   c(sprintf("<h4>%s: what is in the analysis</h4>", html_text(title_of_part(part))),
     html_paragraphs(paste(words, collapse = " ")), html_of_lines(left_out_section(part)))
 }

@@ -37,7 +37,7 @@ is_excluded <- function(rows, exclusions) {
 }
 
 # The study without what was excluded and without catch trials: study$trials, study$catch and
-# study$exclusions with the number of rows that each took away. `what`: "rated main trials". An
+# study$exclusions with the number of rows that each took away, every row counted once. `what`: "rated main trials". An
 # exclusion of a trial that is not among the rows took nothing away and is left out of the table.
 without_left_out <- function(study, what) {
   trials <- study$trials
@@ -56,10 +56,12 @@ counted_exclusions <- function(exclusions, trials) {
     return(data.frame(participant = character(), trial = integer(), reason = character(),
       decided_utc = character(), trials = integer()))
   }
-  exclusions$trials <- vapply(seq_len(nrow(exclusions)), function(i) {
-    sum(is_excluded(trials, exclusions[i, ]))
-  }, integer(1))
-  exclusions[is.na(exclusions$trial) | exclusions$trials > 0, ]
+  # A trial of somebody who is excluded whole is counted there alone.
+  whole <- is.na(exclusions$trial)
+  by_person <- is_excluded(trials, exclusions[whole, ])
+  rows_out <- lapply(seq_len(nrow(exclusions)), function(i) is_excluded(trials, exclusions[i, ]))
+  exclusions$trials <- mapply(function(out, whole) sum(out & (whole | !by_person)), rows_out, whole)
+  exclusions[whole | vapply(rows_out, any, NA), ]
 }
 
 # The part of the report: who or which trial is left out, why, since when; then the counts.
@@ -76,7 +78,7 @@ exclusion_lines <- function(study) {
       as_typed(decided$reason), decided$decided_utc),
     sprintf("%s | all | %d | %s | –", as_typed(made_up$participant), made_up$trials, made_up$reason)
   )
-  if (length(rows) == 0) return("Nobody and no trial is left out.")
+  if (length(rows) == 0) return("Nobody and no trial was excluded.")
   c("Left out of every analysis:", "",
     markdown_table(c("participant", "trial", "main trials left out", "reason", "decided"), rows))
 }
@@ -104,24 +106,43 @@ remarkable_lines <- function(study) {
         study$interrupted[study$interrupted$interrupted_by %in% reason, ], "not data; shown again")
     }, ""),
     row("without an answer in time", study$timed_out, "no answer to analyse"),
+    if (!is.null(study$unclicked)) row("without a click", study$unclicked, "no time to analyse"),
     row("catch trials", study$catch, "apart, below")))
 }
 
 people_in <- function(rows) length(unique(rows$participant))
 
-# Catch trials by condition: their ratings, or the share of positive answers.
+# Catch trials by condition: their ratings, marks or clicks, or the share of right, chosen or positive
+# answers.
 catch_lines <- function(study) {
   catch <- study$catch
   if (nrow(catch) == 0) return(character())
-  of <- if (is.null(catch$rating)) "positive" else "rating"
-  cells <- split(catch, catch$condition)
-  rows <- vapply(cells, function(cell) {
-    sprintf("`%s` | %d | %d | %.2f | %.0f to %.0f", as_code(cell$condition[1]), nrow(cell), people_in(cell),
-      mean(cell[[of]]), min(cell[[of]]), max(cell[[of]]))
+  measure <- catch_measure(study)
+  catch$value <- measure$value
+  rows <- vapply(split(catch, catch$condition), function(cell) {
+    known <- cell$value[!is.na(cell$value)]
+    sprintf("`%s` | %d | %d | %s", as_code(cell$condition[1]), nrow(cell), people_in(cell),
+      if (length(known) == 0) "– | –" else
+        sprintf("%.2f | %.0f to %.0f", mean(known), min(known), max(known)))
   }, "")
   c("Catch trials, never pooled with the others:", "",
-    markdown_table(c("condition", "trials", "participants",
-      if (of == "rating") "mean rating" else "share of positive answers", "range"), unname(rows)))
+    markdown_table(c("condition", "trials", "participants", measure$title, "range"), unname(rows)))
+}
+
+# What a study's catch trials are told by: list(title, value), a value for each; NA where there is none.
+catch_measure <- function(study) {
+  catch <- study$catch
+  measure <- function(title, value) list(title = title, value = as.numeric(value))
+  if (!is.null(catch$rating)) return(measure("mean rating", catch$rating))
+  if (!is.null(study$option)) {
+    return(measure(sprintf("share of “%s”", as_typed(study$option)), catch$answer == study$option))
+  }
+  if (any(c("right", "right choice") %in% study$kind)) {
+    return(measure("share of right answers", catch$correct))
+  }
+  if (isTRUE(study$response %in% c("clicks", "press"))) return(measure("mean clicks", catch$clicks))
+  if (identical(study$response, "mark")) return(measure("mean mark", catch$answer))
+  measure("share of positive answers", catch$positive)
 }
 
 # A vector of sentences, each about one thing a reader must know before the results.
@@ -159,6 +180,15 @@ exclusions_sentence <- function(study) {
   sprintf("Left out: %s of %s (%s).", count_of(sum(left_out$trials), answer_noun(study)),
     count_of(people_in(left_out), "participant"),
     paste(as_typed(unique(left_out$reason)), collapse = "; "))
+}
+
+# Of studies of when a click came: how many trials have none, and so no time.
+unclicked_sentence <- function(study) {
+  if (NROW(study$unclicked) == 0) return(character())
+  sprintf("In %s of %s nobody clicked; %s in no mean and no test.",
+    count_of(nrow(study$unclicked), "more trial"),
+    count_of(people_in(study$unclicked), "participant"),
+    if (nrow(study$unclicked) == 1) "it is" else "they are")
 }
 
 catch_sentence <- function(study) {

@@ -23,6 +23,19 @@ test_that("an excluded participant and an excluded trial are out, and the table 
   expect_match(participants_sentence(study), "^2 participants, 53 ratings")
 })
 
+test_that("a trial excluded in somebody who is excluded whole is counted once, and stays in the table", {
+  trials <- causality_trials(seed = 201, participants = 3, repetitions = 1)
+  path <- study_file(trials)
+  add_exclusion(path, "P01", NA, "slept")
+  add_exclusion(path, "P01", 5, "a phone")
+  add_exclusion(path, "P02", 30, "a cough")
+  study <- read_it(path)
+  expect_equal(exclusions_sentence(study),
+    "Left out: 28 ratings of 2 participants (slept; a phone; a cough).")
+  expect_equal(nrow(study$trials) + sum(study$exclusions$trials), nrow(trials))
+  expect_match(exclusion_lines(study), "| P01 | 5 | 0 | a phone |", fixed = TRUE, all = FALSE)
+})
+
 test_that("what somebody typed stays text in a report", {
   typed <- c("<script>alert(1)</script>", "[x](y) `z` | *b*", "Robert'); DROP TABLE trial;--",
     "%s%n", "two\nlines \u202e")
@@ -46,7 +59,7 @@ test_that("an exclusion taken back is none, and one in another protocol's trial 
   add_exclusion(path, "P01", 55, "its practice")
   study <- read_it(path)
   expect_equal(nrow(study$trials), 54)
-  expect_equal(exclusion_lines(study), "Nobody and no trial is left out.")
+  expect_equal(exclusion_lines(study), "Nobody and no trial was excluded.")
   expect_equal(exclusions_sentence(study), "No rating was excluded.")
 })
 
@@ -82,6 +95,47 @@ test_that("catch trials are in no mean and are reported apart, even at a level o
   expect_equal(catch_sentence(with_catch), "2 catch trials are reported apart and are in no test.")
   expect_match(paste(catch_lines(with_catch), collapse = " "),
     "\"delay_ms\":2000.*\\| 1 \\| 1 \\| 3.00 \\| 3 to 3 \\|")
+})
+
+test_that("catch trials of choices, marks and clicks are told by those, each in its own words", {
+  catch <- data.frame(condition = c("a", "a", "b"), participant = c("P01", "P02", "P01"),
+    answer = c("4", "6", "none"), correct = c(1, 0, NA), positive = NA, clicks = c(0, 3, 2))
+  last <- function(study, rows = 3) expect_no_warning(
+    catch_lines(c(list(catch = catch[seq_len(rows), ]), study))[-c(1, 2, 4)])
+  expect_equal(last(list(response = "answer", kind = "right choice")), c(
+    "| condition | trials | participants | share of right answers | range |",
+    "| `a` | 2 | 2 | 0.50 | 0 to 1 |", "| `b` | 1 | 1 | – | – |"))
+  expect_equal(last(list(response = "answer", kind = "choice none", option = "none")), c(
+    "| condition | trials | participants | share of “none” | range |",
+    "| `a` | 2 | 2 | 0.00 | 0 to 0 |", "| `b` | 1 | 1 | 1.00 | 1 to 1 |"))
+  expect_equal(last(list(response = "mark"), 2), c(
+    "| condition | trials | participants | mean mark | range |", "| `a` | 2 | 2 | 5.00 | 4 to 6 |"))
+  for (response in c("clicks", "press")) {
+    expect_equal(last(list(response = response)), c(
+      "| condition | trials | participants | mean clicks | range |",
+      "| `a` | 2 | 2 | 1.50 | 0 to 3 |", "| `b` | 1 | 1 | 2.00 | 2 to 2 |"))
+  }
+})
+
+test_that("trials that a click ends are counted where nobody clicked, and said to be left out", {
+  trials <- gaze_trials(seed = 207, participants = 3)
+  trials <- trials[trials$bodies == 5, ]
+  trials$clicks <- rep(c(1, 1, 0, 1), length.out = nrow(trials))
+  without <- which(trials$clicks == 0)
+  path <- write_gaze_study(tempfile(fileext = ".sqlite"), trials)
+  add_exclusion(path, trials$participant[without[1]], without[1], "a cough")
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "UPDATE protocol SET protocol_json = json_object('clicks',
+    json_object('first_ends', 1))")
+  DBI::dbDisconnect(study)
+  part <- press_part(with_clicked_trials(path), "gaze-contingent")
+  expect_equal(nrow(part$trials), sum(trials$clicks))
+  expect_false(anyNA(part$trials$press_s))
+  left <- length(without) - 1  # one is excluded
+  expect_equal(unclicked_sentence(part), sprintf(
+    "In %d more trials of 3 participants nobody clicked; they are in no mean and no test.", left))
+  expect_match(remarkable_lines(part), sprintf("| without a click | %d | 3 | no time to analyse |",
+    left), fixed = TRUE, all = FALSE)
 })
 
 test_that("what else happened is counted: late frames, late gaze, interruptions, time-outs", {
