@@ -106,7 +106,8 @@ factor_figure_caption <- function(part, factor, measure) {
     ", shifted sideways a little to keep them apart; black: the mean",
     if (shown > 1) " and its within-participant 95 % interval (Cousineau–Morey)" else
       if (length(between_factors(part$trials, factor)) > 0)
-        " and its 95 % interval over the participants of each level (Student's t)", ".")
+        " and its 95 % interval over the participants of each level (Student's t)", ".",
+    mean_base_words(part$trials, factor, measure$of))
 }
 
 pair_figure_caption <- function(part, pair, measure) {
@@ -114,5 +115,6 @@ pair_figure_caption <- function(part, pair, measure) {
   paste0(measure$title, " by ", name_and_unit(pair[1]), " and ", name_and_unit(pair[2]), ": means",
     if (shown > 1) " with within-participant 95 % intervals (Cousineau–Morey)" else
       if (length(between_factors(part$trials, pair)) > 0)
-        " with 95 % intervals over the participants of each (Student's t)", ".")
+        " with 95 % intervals over the participants of each (Student's t)", ".",
+    mean_base_words(part$trials, pair, measure$of))
 }

@@ -176,7 +176,8 @@ friedman_tests <- function(trials, factors) {
       "chi-squared", test$statistic[[1]], test$parameter[[1]], p = test$p.value,
       size_name = "Kendall's W",  # the agreement of rankings, from 0 to 1
       size = test$statistic[[1]] / (nrow(complete) * (ncol(complete) - 1)),
-      participants = nrow(complete), trials = nrow(trials)), remarks)
+      participants = nrow(complete),
+      trials = sum(trials$participant %in% rownames(complete))), remarks)
   })))
 }
 

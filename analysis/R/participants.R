@@ -86,6 +86,20 @@ means_with_intervals <- function(trials, factors, of = "rating") {
   rows[!is.nan(rows$mean), ]
 }
 
+# Over whom means_with_intervals() takes its means, where that is not everybody: " Means: ..."; nothing
+# where a factor is between participants, whose means are of each level's own.
+mean_base_words <- function(trials, factors, of = "rating") {
+  trials[factors] <- lapply(trials[factors], droplevels)
+  means <- participant_means(trials, factors, of)
+  shown <- nrow(complete_participants(means))
+  cell <- if (length(factors) > 1) "combination" else "level"
+  if (shown == nrow(means)) return("")
+  if (shown > 0) return(sprintf(" Means: %d of %d participants, those with a trial at every %s.", shown,
+    nrow(means), cell))
+  if (length(between_factors(trials, factors)) > 0) return("")
+  sprintf(" Nobody has a trial at every %s: each mean is over those who have it.", cell)
+}
+
 # Numbers stand at their value on the axis, words at 1, 2, 3 in their order.
 position_of <- function(level) {
   number <- suppressWarnings(as.numeric(level))

@@ -11,11 +11,11 @@ scale_words <- function(scale) sprintf("Ratings ran from %s.", as_typed(describe
 means_words <- function(trials, factor, measure = list(of = "rating", title = "Mean rating")) {
   rows <- means_with_intervals(trials, factor, measure$of)
   limits <- ifelse(is.na(rows$low), "", sprintf(" [%.2f, %.2f]", rows$low, rows$high))
-  sprintf("%s by %s: %s%s.", measure$title, name_and_unit(factor),
+  sprintf("%s by %s: %s%s.%s", measure$title, name_and_unit(factor),
     paste0(rows$cell, ": ", sprintf("%.2f", rows$mean), limits, collapse = "; "),
     if (all(is.na(rows$low))) "" else
       if (length(between_factors(trials, factor)) > 0) " (Student's 95 % intervals over participants)" else
-        " (within-participant 95 % intervals)")
+        " (within-participant 95 % intervals)", mean_base_words(trials, factor, measure$of))
 }
 
 # What the mixed model of a response found about one factor.

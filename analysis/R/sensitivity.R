@@ -70,11 +70,13 @@ data_sensitivity <- function(part, measure, everything = NULL) {
     each_row(names(choices), function(name) {
       means <- participant_means(choices[[name]], factor, measure$of)
       difference <- if (all(ends %in% colnames(means))) means[, ends[2]] - means[, ends[1]] else NA
+      kept <- rownames(means)[!is.na(difference)]
       difference <- difference[!is.na(difference)]
       interval <- t_interval(difference)
       varies <- length(difference) > 1 && stats::sd(difference) > 1e-9
       data.frame(comparison = sprintf("%s: %s − %s", label_of(factor), ends[2], ends[1]),
-        choice = name, participants = length(difference), trials = nrow(choices[[name]]),
+        choice = name, participants = length(difference),
+        trials = sum(choices[[name]]$participant %in% kept),
         difference = if (length(difference) > 0) interval[["mean"]] else NA,
         low = interval[["low"]], high = interval[["high"]],
         p = if (varies) stats::t.test(difference)$p.value else NA)
