@@ -73,7 +73,7 @@ OrderedJson factor_from(const std::string& vary, const OrderedJson& offered, boo
   }
   const OrderedJson& levels = factor["levels"];
   if (std::any_of(levels.begin(), levels.end(), [&](const OrderedJson& level) {
-        return level == "" || level.type() != levels.front().type();
+        return level == "" || level.is_number() != levels.front().is_number();
       })) {
     throw InputError("--vary: expected levels of " + name +
                      " that are all numbers or all words, got " + vary);
