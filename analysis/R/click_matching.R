@@ -1,4 +1,4 @@
-# Clicks matched to collisions by a window of time: descriptive only. At more than one event a
+# Clicks matched to events by a window of time: descriptive only. At more than one event a
 # second this is biased (a true d' of 1.5 comes out as about .8): clicks go to neighbours, and the
 # time without events grows short. click_regression.R is the analysis.
 #
@@ -75,8 +75,9 @@ matching_row <- function(counts, participant, window_s) {
 matching_words <- function(matching) {
   row <- matching[1, ]
   sprintf(paste("Descriptive only, for it is biased at more than one event a second: with each",
-    "click matched to the latest collision %.0f to %.0f ms before it, of whatever kind, %s of bad",
-    "events were hit, with %.3f false alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
+    "click matched to the latest event %.0f to %.0f ms before it, of whatever kind, %s of bad events",
+    "(collisions of one sort, merged, so that d′ is not of one collision) were hit, with %.3f false",
+    "alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
     row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
       sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
 }

@@ -7,9 +7,9 @@
 #      interval
 #   c: a second pair of kinds, where the study has one, on the axis of b
 #
-#   kernels: a: clicks per second that an event adds, by the time since it, bad and good events;
+#   kernels: a: clicks per second that a collision adds, by the time since it, bad and good ones;
 #               means over participants with 95 % t intervals
-#            b: each participant's gain of bad and of good events; their means with 95 % t intervals
+#            b: each participant's gain of bad and of good collisions; their means with 95 % t intervals
 # SPDX-License-Identifier: MIT
 
 kKindColours <- c(
@@ -151,12 +151,12 @@ kernel_figure <- function(detection, simulated) {
 }
 
 kernel_panel <- function(kernels) {
-  kernels$x <- (kernels$from_ms + kernels$to_ms) / 2 + ifelse(kernels$event == "bad", -12, 12)
-  ggplot2::ggplot(kernels, ggplot2::aes(x, mean, colour = event, shape = event)) + zero_line() +
+  kernels$x <- (kernels$from_ms + kernels$to_ms) / 2 + ifelse(kernels$collision == "bad", -12, 12)
+  ggplot2::ggplot(kernels, ggplot2::aes(x, mean, colour = collision, shape = collision)) + zero_line() +
     ggplot2::geom_line(linewidth = 0.4) + interval_bars(0.6) + ggplot2::geom_point(size = 1.9) +
-    series_scales("Event", kEventColours, kEventShapes) +
-    ggplot2::scale_x_continuous("Time since the event (ms)", breaks = 1000 * kLagEdgesS) +
-    ggplot2::scale_y_continuous("Clicks per second added by one event", labels = minus_signed) +
+    series_scales("Collision", kEventColours, kEventShapes) +
+    ggplot2::scale_x_continuous("Time since the collision (ms)", breaks = 1000 * kLagEdgesS) +
+    ggplot2::scale_y_continuous("Clicks per second added by one collision", labels = minus_signed) +
     figure_theme()
 }
 
@@ -175,17 +175,17 @@ gain_panel <- function(gains, simulated) {
     ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high, colour = event),
       linewidth = 0.6, na.rm = TRUE) +
     ggplot2::geom_point(ggplot2::aes(colour = event, shape = event), size = 1.9) +
-    series_scales("Event", kEventColours, kEventShapes) +
-    ggplot2::scale_x_continuous(paste("Event, for each", who_words(simulated)), breaks = 1:2,
+    series_scales("Collision", kEventColours, kEventShapes) +
+    ggplot2::scale_x_continuous(paste("Collision, for each", who_words(simulated)), breaks = 1:2,
       labels = events, limits = c(0.6, 2.6)) +
-    ggplot2::scale_y_continuous("Gain: clicks that an event adds", labels = minus_signed) +
+    ggplot2::scale_y_continuous("Gain: clicks that a collision adds", labels = minus_signed) +
     figure_theme()
 }
 
 kernel_caption <- function(detection, simulated) {
   people <- sum(detection$gains$scheduling == "all")
-  paste0("What was clicked at. a: clicks per second that one event adds, by the time since it, mean ",
-    "of ", count_of(people, who_words(simulated)), if (people > 1) "; bars: 95 % t intervals",
+  paste0("What was clicked at. a: clicks per second that one collision adds, by the time since it, ",
+    "mean of ", count_of(people, who_words(simulated)), if (people > 1) "; bars: 95 % t intervals",
     ". b: each ", who_words(simulated), "'s gains (grey), their means",
     if (people > 1) " and 95 % t intervals", ".")
 }
