@@ -107,8 +107,10 @@ analysis_words <- function(parts) {
   kinds <- unique(vapply(parts, `[[`, "", "response"))
   people <- unique(unlist(lapply(parts, function(part) as.character(part$trials$participant))))
   tested <- c(gsub("\n", " ", read.dcf(code_file("methods.dcf"))[1, kinds], fixed = TRUE),
-    paste("The unit of every test is the participant. Beside each test's own p stands the one",
-      "corrected after Holm within its family; what is said to be found rests on the corrected one."))
+    paste0("The unit of every test is the participant",
+      if ("clicks" %in% kinds) ", but for a circular shift of clicks", "."),
+    paste("Beside each test's own p stands the one corrected after Holm within its family; what is",
+      "said to be found rests on the corrected one."))
   c(if (length(people) > 1) tested else
     "One participant's data are described; no test across participants was made.",
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))

@@ -57,7 +57,7 @@ time_words <- function(seconds) {
 kMeansStep <- "testing the participants' means ..."
 kFunctionsStep <- "fitting psychometric functions ..."
 kHierarchicalStep <- "fitting the hierarchical model of all answers ..."
-kClickRegressionStep <- "regressing the click rate on the events before ..."
+kClickRegressionStep <- "regressing the click rate on the collisions before ..."
 model_step <- function(factor) sprintf("fitting the mixed model for %s ...", factor)
 link_step <- function(factor, link) sprintf("fitting %s with the link %s ...", factor, link)
 figure_step <- function(part, name) sprintf("drawing %s %s ...", tolower(title_of_part(part)), name)

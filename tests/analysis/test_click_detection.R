@@ -72,3 +72,13 @@ test_that("without any gain p of the primary test is uniform, for trials with mo
   })
   expect_gt(ks.test(p, "punif")$p.value, 0.01)
 })
+
+test_that("the methods say of which test the unit is not the participant, where clicks were counted", {
+  part <- list(response = "clicks", trials = data.frame(participant = c("P01", "P02")))
+  words <- paste(analysis_words(list(part)), collapse = " ")
+  expect_match(words, "holds the participants fixed", fixed = TRUE)
+  expect_match(words, "The unit of every test is the participant, but for a circular shift of clicks.",
+    fixed = TRUE)
+  part$response <- "rating"
+  expect_true("The unit of every test is the participant." %in% analysis_words(list(part)))
+})
