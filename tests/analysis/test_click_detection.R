@@ -63,6 +63,15 @@ test_that("false clicks and d' of one collision come back, at seven bad collisio
   expect_no_match(words, "baseline|readiness")
 })
 
+test_that("each collision counts for the regression, however close to the one before", {
+  study <- list(trials = data.frame(participant = "P01", scheduling = "random", exposure_s = 10,
+    merge_within_ms = 100), clicks = data.frame(row = 1, time_s = 5),
+    collisions = data.frame(row = 1, time_s = c(1, 1.02, 1.04, NA), bad = c(TRUE, TRUE, TRUE, TRUE)))
+  expect_equal(nrow(click_events(study)), 1)
+  record <- participants_records(study, 1, "all")$P01
+  expect_equal(colSums(record$rows), rep(c(30, 0), each = 5))  # 3 x 200 ms in bins of 20 ms
+})
+
 test_that("without any gain p of the primary test is uniform, for trials with more of both too", {
   set.seed(403)
   p <- replicate(80, {
