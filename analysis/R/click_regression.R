@@ -9,7 +9,7 @@
 # A kernel's area is its gain: the clicks that one more collision adds. Gain of bad minus gain of
 # good collisions is sensitivity. Overlapping collisions share a click by what the whole record says,
 # so nothing is matched to anything. Each collision counts: merged into events they hardly differ in
-# number between busy and quiet moments, and gains come out a third too small.
+# number between busy and quiet moments, and gains come out a fifth too small.
 #
 # Every trial has an intercept of its own, so that gains come from the timing within trials alone:
 # trials with more bodies have more collisions and other clicks for other reasons. Where collisions
