@@ -53,7 +53,7 @@ anchor_of <- function(...) gsub("[^A-Za-z0-9_-]+", "-", paste(..., sep = "-"))
 protocol_lines <- function(protocol, parts, path, folder) {
   say_progress("protocol ", protocol)
   refused <- Filter(function(part) !is.null(part$why), parts)
-  parts <- Filter(function(part) is.null(part$why), parts)
+  parts <- knowing_of_others(Filter(function(part) is.null(part$why), parts))
   results <- lapply(parts, function(part) {
     results_of_part(part, if (nrow(part$exclusions) > 0) trials_with_excluded(path, part))
   })
@@ -86,9 +86,27 @@ part_data_lines <- function(part) {
     html_paragraphs(paste(words, collapse = " ")), html_of_lines(left_out_section(part)))
 }
 
+# Each part with `elsewhere`, the participants of the others: a question may be of some people only.
+knowing_of_others <- function(parts) {
+  people <- lapply(parts, function(part) as.character(unique(part$trials$participant)))
+  Map(function(part, i) c(part, list(elsewhere = unique(unlist(people[-i])))), parts, seq_along(parts))
+}
+
+# The trials of all parts with every factor, each once: a part may have one level of what varies.
+design_of_parts <- function(parts) {
+  columns <- Reduce(intersect, lapply(parts, function(part) {
+    setdiff(names(part$trials), c(part$factors, part$constant))
+  }))
+  whole <- parts[[1]]
+  trials <- each_row(parts, function(part) rbind(part$trials[columns], part$unclicked[columns]))
+  whole$trials <- trials[!duplicated(trial_key(trials)), ]
+  whole$levels <- each_row(parts, `[[`, "levels")
+  with_factors_that_vary(with_every_factor(whole))
+}
+
 design_lines <- function(parts) {
   if (length(parts) == 0) return(NULL)
-  part <- parts[[1]]
+  part <- design_of_parts(parts)
   trials <- part$trials
   rows <- each_row(c(unname(part$factors), part$constant), function(f) {
     per <- table(trials$participant, droplevels(trials[[f]]))

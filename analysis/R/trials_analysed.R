@@ -155,6 +155,7 @@ study_sentences <- function(study) {
     if (!is.null(study$scale)) delay_sentence(study$trials, study$factors), study$depths)
 }
 
+# `study$elsewhere`: the participants of the protocol's other parts, where there are such.
 participants_sentence <- function(study) {
   noun <- answer_noun(study)
   per <- table(study$trials$participant)
@@ -163,12 +164,16 @@ participants_sentence <- function(study) {
   enrolled <- study$enrolments[!study$enrolments$participant %in% left_out, ]
   unfinished <- enrolled$completed_trials < enrolled$planned_trials | is.na(enrolled$finished_utc)
   incomplete <- people_in(enrolled[unfinished & enrolled$participant %in% names(per), ])
-  waiting <- length(setdiff(enrolled$participant, names(per)))
+  without <- setdiff(enrolled$participant, names(per))
+  elsewhere <- length(intersect(without, study$elsewhere))
+  waiting <- length(without) - elsewhere
   paste0(sprintf("%s, %s in the main phase (%s each).", count_of(length(per), "participant"),
       count_of(sum(per), noun), paste(unique(range(per)), collapse = " to ")),
     if (incomplete > 0) sprintf(" The study is in progress: %s included with the %ss given so far.",
       if (incomplete == 1) "1 participant has not finished and is" else
         paste(incomplete, "participants have not finished and are"), noun),
+    if (elsewhere > 0) sprintf(" %s answered other questions of the protocol only.",
+      count_of(elsewhere, "more participant")),
     if (waiting > 0) sprintf(" %s enrolled, without %ss.", count_of(waiting, "more participant"),
       noun))
 }

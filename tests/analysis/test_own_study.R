@@ -103,6 +103,33 @@ test_that("marks on a line are a part of their own, on the line's scale", {
   expect_equal(round(mean(part$trials$mark[part$trials$restitution == "0.8"])), 84, tolerance = 0.02)
 })
 
+test_that("of questions to some people each, every part knows of the others' and the design of all", {
+  answers <- bounce_answers(5, 5)
+  answers$light <- ifelse(answers$participant %in% c("P01", "P02"), "matt", "dim")
+  path <- bounce_study(answers[answers$participant != "P05" | answers$restitution == 0.2, ])
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, paste("UPDATE response SET kind = 'slider', positive = NULL,",
+    "detail = '{\"value\":1,\"minimum\":0,\"maximum\":10}', answer = abs(random() % 9),",
+    "question = (SELECT condition ->> 'light' FROM attempt JOIN trial ON trial.id = trial_id",
+    "WHERE attempt.id = attempt_id)"))
+  # P05 has been enrolled and has answered nothing.
+  DBI::dbExecute(study, paste("DELETE FROM response WHERE attempt_id IN (SELECT attempt.id FROM attempt",
+    "JOIN trial ON trial.id = trial_id JOIN enrolment ON enrolment.id = enrolment_id",
+    "JOIN participant ON participant.id = participant_id WHERE pseudonym = 'P05')"))
+  DBI::dbDisconnect(study)
+  folder <- new_folder()
+  dir.create(folder)
+  write_report_data(path, folder)
+  parts <- knowing_of_others(parts_of_protocol(study_of_report_data(folder), "bounce"))
+  expect_setequal(vapply(parts, `[[`, "", "question"), c("matt", "dim"))
+  words <- vapply(parts, participants_sentence, "")
+  expect_match(words, "[0-9] more participants answered other questions of the protocol only[.]")
+  expect_match(words, "1 more participant enrolled, without marks.", fixed = TRUE)
+  design <- paste(design_lines(parts), collapse = " ")
+  expect_match(design, "<td>dim, matt</td>", fixed = TRUE)
+  expect_match(design, "24, between participants: 2 and 2", fixed = TRUE)
+})
+
 test_that("a choice among several options is a part of each option, and one of right choices", {
   path <- bounce_study(bounce_answers(6, 6))
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
