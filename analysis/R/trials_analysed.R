@@ -37,8 +37,9 @@ is_excluded <- function(rows, exclusions) {
 }
 
 # The study without what was excluded and without catch trials: study$trials, study$catch and
-# study$exclusions with the number of rows that each took away, every row counted once. `what`: "rated main trials". An
-# exclusion of a trial that is not among the rows took nothing away and is left out of the table.
+# study$exclusions with the number of rows that each took away, every row counted once. `what`:
+# "rated main trials". An exclusion of a trial that is not among the rows took nothing away and is
+# left out of the table.
 without_left_out <- function(study, what) {
   trials <- study$trials
   out <- is_excluded(trials, study$exclusions)

@@ -121,7 +121,8 @@ test_that("a factorial study of ratings is recognised and reported whole", {
   expect_says(report, "&lt;i&gt;coughed&lt;/i&gt; &amp; left", "Delay (ms)", "Speed (°/s)",
     "SIMULATED", "ratings depended on delay", "Odds ratios of a higher rating",
     "Greenhouse–Geisser", "proportional odds", "without trials with late frames",
-    "with what was excluded", "probit", "81 of each of 20 participants", "it rejected in 45 % of 2,000", "Christensen", "R version",
+    "with what was excluded", "probit", "81 of each of 20 participants",
+    "it rejected in 45 % of 2,000", "Christensen", "R version",
     "In this folder", "50.0 × 30.0 cm (1920 × 1080 pixels, 60 Hz)")
   stems <- list.files(file.path(report$folder, "figures"))
   expect_setequal(sub("[.][a-z]+$", "", stems), paste0("causality-rating-by-", c("delay_ms",

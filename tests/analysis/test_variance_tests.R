@@ -54,7 +54,8 @@ test_that("epsilon is afex's where afex has one, of interactions and with groups
     own <- epsilon_of_effects(trials, strsplit(names(theirs), ":", fixed = TRUE), factors, between)
     expect_equal(own, unname(theirs), tolerance = 1e-8)
     mine <- match(names(theirs), fit$effect)
-    expect_equal(fit$df2[mine], unname(theirs * model$univariate.tests[names(theirs), "den Df"]), tolerance = 1e-8)
+    expect_equal(fit$df2[mine], unname(theirs * model$univariate.tests[names(theirs), "den Df"]),
+      tolerance = 1e-8)
   }
   compare(c("phase", "hour"))                # 2, 4 and 8 df, 16 participants
   compare(c("phase", "hour"), "treatment")   # the error is that within groups of 5, 5 and 6
