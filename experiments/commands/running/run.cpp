@@ -40,14 +40,15 @@ namespace {
 // `impetus run` of a protocol in which nobody takes part: its trials are simulated and stored.
 
 /// Of a sitting without display and participant.
-SessionFacts facts_without_laboratory(const ScreenGeometry& screen) {
+SessionFacts facts_without_laboratory(const std::string& screen_file) {
   constexpr double kNominalHz = 60.0;  // of frames that there are none of
   SessionFacts facts;
   facts.build = build_name();
   facts.machine = machine_name();
   facts.display = "none: simulated, and shown to nobody";
   facts.simulated = true;
-  facts.screen = screen;
+  facts.screen = screen_without_window(screen_file);
+  facts.screen_measured = !screen_file.empty();
   facts.refresh_hz = kNominalHz;
   facts.sync.passed = true;
   return facts;
@@ -77,12 +78,12 @@ std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options,
   const std::optional<Enrolment> resumed = find_to_resume(study, part, options);
   const Enrolment enrolment =
       resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
-  const ScreenGeometry screen = screen_without_window(options.screen_file);
-  StudyWriter writer(study, enrolment, facts_without_laboratory(screen));
+  const SessionFacts facts = facts_without_laboratory(options.screen_file);
+  StudyWriter writer(study, enrolment, facts);
   const ProtocolScenes scenes(part.protocol, 0.0);
   ProgressLine line("simulating");
-  run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes, screen,
-                 writer, SteadyClock(), [&line](double share) { line.tell(share); });
+  run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes,
+                 facts.screen, writer, SteadyClock(), [&line](double share) { line.tell(share); });
   writer.end("finished");
   tell_not_finite(writer);
   return writer.session_id();

@@ -68,6 +68,18 @@ TEST(UnattendedRun, StoresNobodysTrialsWithTheirThresholdsAndReplays) {
   EXPECT_TRUE(replayed.output.starts_with("2 trials, 1200 steps, ")) << replayed.output;
 }
 
+TEST(UnattendedRun, IsBeforeTheScreenOfTheFileThatIsGiven) {
+  const ShortDistribution study;
+  study.folder.write(
+      "s.json",
+      R"({"schema_version": 1, "width_cm": 60, "height_cm": 34, "viewing_distance_cm": 80})");
+  const ProgramResult ran = study.run({"--screen", "s.json"});
+  ASSERT_EQ(ran.status, 0) << ran.errors;
+  EXPECT_EQ(study.asked("SELECT screen_width_m || ' ' || screen_width_px || ' ' || screen_measured "
+                        "FROM session"),
+            "0.6 1807 1");
+}
+
 TEST(UnattendedRun, RefusesParticipantsAndWritesNothing) {
   const ShortDistribution study;
   for (const std::string option : {"--participant", "--observer"}) {
