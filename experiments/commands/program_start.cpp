@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <stdexcept>
 
 namespace impetus::inline commands {
@@ -24,9 +25,17 @@ std::optional<pid_t> start_program(std::vector<std::string> words,
   for (const GivenDescriptor& each : given) {
     posix_spawn_file_actions_adddup2(&actions, each.ours, each.its);
   }
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t ignored_by_us;
+  sigemptyset(&ignored_by_us);
+  sigaddset(&ignored_by_us, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&attributes, &ignored_by_us);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
   const int error =
-      posix_spawnp(&child, pointers.front(), &actions, nullptr, pointers.data(), environ);
+      posix_spawnp(&child, pointers.front(), &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return error == 0 ? std::optional(child) : std::nullopt;
 }
