@@ -1,6 +1,7 @@
 // `impetus export`: a study in files that other programs read, or as another study without people.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "experiments/exports/anonymise.hpp"
 #include "experiments/exports/bids_export.hpp"
 #include "experiments/exports/csv_export.hpp"
+#include "experiments/exports/earlier_export.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/provenance/build_name.hpp"
@@ -68,8 +70,19 @@ int export_file(StudyFile& original, const ExportOptions& options) {
   return kDone;
 }
 
+/// What becomes of a folder that holds files.
+FolderCheck check_of(const ExportOptions& options) {
+  return [force = options.force](const std::filesystem::path& target) {
+    if (!force) {
+      throw InputError(target.string() +
+                       ": holds files already and is not overwritten without --force");
+    }
+    require_earlier_export(target);
+  };
+}
+
 int export_folder(StudyFile& original, const ExportOptions& options) {
-  WholeFolder folder(options.out, options.force);
+  WholeFolder folder(options.out, check_of(options));
   original.database().exec("BEGIN");  // one state of the study, whoever writes to it meanwhile
   std::optional<StudyFile> copy;
   StudyFile& study = chosen_study(original, copy, options);
@@ -110,7 +123,8 @@ void add_export(CLI::App& app, Command& chosen) {
       ->required();
   command->add_flag("--anonymise", options->anonymise,
                     "New codes; leave out what people typed, names of machines and dates");
-  command->add_flag("--force", options->force, "Overwrite an earlier export");
+  command->add_flag("--force", options->force,
+                    "Overwrite an earlier export, which holds nothing else");
   command->callback([options, &chosen] { chosen = [options] { return run_export(*options); }; });
 }
 

@@ -127,8 +127,12 @@ std::string as_asked(std::string message, const fs::path& written, const std::st
   return message;
 }
 
+[[noreturn]] void refuse_what_exists(const fs::path& there) {
+  throw InputError(there.string() + ": exists already and is not overwritten");
+}
+
 void write_study(const NewOptions& options, const std::map<std::string, std::string>& files) {
-  WholeFolder folder(options.folder, /*replace=*/false);
+  WholeFolder folder(options.folder, FolderCheck(refuse_what_exists));
   try {
     for (const auto& [name, text] : files) {
       write_output_file(folder.path() / name, text);
@@ -149,7 +153,7 @@ int make_new_study(NewOptions options) {
     throw InputError("expected a name for the new study, got an empty one");
   }
   if (fs::exists(options.folder)) {
-    throw InputError(options.folder + ": exists already and is not overwritten");
+    refuse_what_exists(options.folder);
   }
   write_study(options, make_study(choices_from(options)));
   const std::string at = options.folder + "/";

@@ -7,13 +7,16 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/r_program.hpp"
+#include "experiments/exports/own_files.hpp"
 #include "experiments/exports/r_scripts.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/settings/input_error.hpp"
@@ -29,16 +32,40 @@ struct ReportOptions {
   std::string out{"report"};
 };
 
+/// Of the file in which a report names all that it wrote, a name a line.
+constexpr const char* kListName = "analysis/files.txt";
+
+/// Throws StoreError.
+void list_files(const fs::path& folder) {
+  std::string list = std::string(kListName) + "\n";
+  for (const std::string& name : names_below(folder)) {
+    list += name + "\n";
+  }
+  write_output_file(folder / kListName, list);
+}
+
+/// The names in the list; of a report from before there were lists, those that it gives.
+OwnName own_names(const fs::path& folder) {
+  static const std::regex kUnlisted(
+      R"(report\.html|analysis/(report\.R|R/[A-Za-z0-9_-]+\.(R|dcf|css))|data/([a-z_]+\.csv)?|)"
+      R"(figures/([A-Za-z0-9_-]+\.(svg|pdf|png))?|tables/([A-Za-z0-9_-]+\.csv)?)");
+  std::ifstream list(folder / kListName);
+  if (!list) {
+    return [](const std::string& name) { return std::regex_match(name, kUnlisted); };
+  }
+  std::set<std::string> names;
+  for (std::string name; std::getline(list, name);) {
+    names.insert(name);
+  }
+  return [names](const std::string& name) { return names.count(name) > 0; };
+}
+
 /// Throws InputError unless the folder is an earlier report and holds nothing else.
 void require_earlier_report(const fs::path& folder) {
-  static const std::set<std::string> kParts{"analysis", "data", "figures", "report.html", "tables"};
   const std::string expected =
       folder.string() + ": expected a new folder, an empty one or an earlier report, got one ";
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (kParts.count(name) == 0) {
-      throw InputError(expected + "that holds " + name);
-    }
+  if (const std::string foreign = foreign_name(folder, own_names(folder)); !foreign.empty()) {
+    throw InputError(expected + "that holds " + foreign);
   }
   if (!fs::exists(folder / "report.html")) {
     throw InputError(expected + "without report.html");
@@ -76,6 +103,7 @@ int report(const ReportOptions& options) {
     throw std::runtime_error(page.string() + ": not written, for R ended with status " +
                              std::to_string(status));
   }
+  list_files(folder.path());
   folder.put_in_place();
   std::printf("%s: open it in a browser; beside it figures, tables, data and the code to repeat\n",
               page.c_str());

@@ -262,6 +262,7 @@ class BidsWriter {
   void write(const std::string& name, std::string_view bytes) {
     std::filesystem::create_directories((folder_ / name).parent_path());
     write_output_file(folder_ / name, bytes);
+    names_.push_back(name);
     ++report_.files;
   }
 
@@ -271,13 +272,22 @@ class BidsWriter {
 
   void count(std::int64_t rows) { report_.rows += rows; }
   [[nodiscard]] const ExportReport& report() const { return report_; }
+  /// Of the files so far.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
   std::filesystem::path folder_;
+  std::vector<std::string> names_;
   ExportReport report_;
 };
 
-ordered_json description(const CodebookHead& head, const std::string& names) {
+constexpr const char* kDescriptionName = "dataset_description.json";
+
+/// `files` are all others of the dataset: a later export knows by them what it may replace
+/// (earlier_export.hpp).
+ordered_json description(const CodebookHead& head, const std::string& names,
+                         std::vector<std::string> files) {
+  files.emplace_back(kDescriptionName);
   return {{"Name", "A study of collisions: " + names},
           {"BIDSVersion", kBidsVersion},
           {"DatasetType", "raw"},
@@ -285,7 +295,8 @@ ordered_json description(const CodebookHead& head, const std::string& names) {
            {{{"Name", "Impetus"},
              {"Version", head.build},
              {"Description", "Exported from a study file that was made by Impetus " +
-                                 head.study_build + (head.anonymised ? ", anonymised" : "")}}}}};
+                                 head.study_build + (head.anonymised ? ", anonymised" : "")},
+             {"Files", files}}}}};
 }
 
 std::string readme(const CodebookHead& head, const std::string& names) {
@@ -367,13 +378,13 @@ ExportReport export_bids(StudyFile& study, const CodebookHead& head,
   const FactorLabels factors = factor_labels(database);
   const std::string protocols = protocol_names(database);
   BidsWriter writer(folder);
-  writer.write_json("dataset_description.json", description(head, protocols));
   writer.write("README", readme(head, protocols));
   write_participants(database, names, writer);
   write_stimuli(database, names, writer);
   for (const BidsSession& session : bids_sessions(database, names)) {
     write_session(database, session, factors, writer);
   }
+  writer.write_json(kDescriptionName, description(head, protocols, writer.names()));
   return writer.report();
 }
 

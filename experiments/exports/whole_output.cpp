@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "experiments/settings/input_error.hpp"
 
@@ -14,11 +15,6 @@ namespace impetus::inline exports {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A file at the top of every export.
-bool is_export(const fs::path& folder) {
-  return fs::exists(folder / "codebook.json") || fs::exists(folder / "dataset_description.json");
-}
 
 void require_free(const fs::path& target, const FolderCheck& check) {
   if (!fs::exists(target)) {
@@ -32,23 +28,15 @@ void require_free(const fs::path& target, const FolderCheck& check) {
   }
 }
 
-FolderCheck export_check(bool replace) {
-  return [replace](const fs::path& target) {
-    const std::string name = target.string();
-    if (!replace) {
-      throw InputError(name + ": holds files already and is not overwritten without --force");
-    }
-    if (!is_export(target)) {
-      throw InputError(name +
-                       ": expected an earlier export to overwrite, got a folder of other "
-                       "files, which --force leaves alone");
-    }
-  };
-}
-
 fs::path without_last_slash(const fs::path& path) {
   const fs::path whole = fs::weakly_canonical(fs::absolute(path));
   return whole.has_filename() ? whole : whole.parent_path();
+}
+
+fs::path free_target(const fs::path& asked, const FolderCheck& check) {
+  fs::path target = without_last_slash(asked);
+  require_free(target, check);
+  return target;
 }
 
 }  // namespace
@@ -99,12 +87,8 @@ void WholeFile::put_in_place() {
   }
 }
 
-WholeFolder::WholeFolder(const fs::path& target, bool replace)
-    : WholeFolder(target, export_check(replace)) {}
-
-WholeFolder::WholeFolder(const fs::path& target, const FolderCheck& check)
-    : target_(without_last_slash(target)) {
-  require_free(target_, check);
+WholeFolder::WholeFolder(const fs::path& target, FolderCheck check)
+    : target_(free_target(target, check)), check_(std::move(check)) {
   std::error_code error;
   fs::create_directories(target_.parent_path(), error);
   if (!error) {
@@ -124,6 +108,7 @@ WholeFolder::~WholeFolder() {
 }
 
 void WholeFolder::put_in_place() {
+  require_free(target_, check_);  // the work may have taken hours
   std::error_code error;
   const fs::path old = path().string() + ".old";
   const bool replaces = fs::exists(target_) && !fs::is_empty(target_);

@@ -58,17 +58,16 @@ class WholeFile {
   PartialName partial_;
 };
 
-/// Asked about a target that is a folder of files: throws InputError when that is to stay.
+/// Asked about a target that is a folder of files: throws InputError when that is to stay, as it is
+/// wherever it holds what the command did not write (own_files.hpp).
 using FolderCheck = std::function<void(const std::filesystem::path&)>;
 
 /// A folder that is put in place once all is written.
 class WholeFolder {
  public:
-  /// `target` must not exist, or be an empty folder; with `replace` it may be an earlier export.
-  /// Throws InputError otherwise, or when the folder beside it cannot be made.
-  WholeFolder(const std::filesystem::path& target, bool replace);
-  /// A target that holds files is replaced when `check` lets it be.
-  WholeFolder(const std::filesystem::path& target, const FolderCheck& check);
+  /// `target` must not exist, or be an empty folder, or one that `check` lets be replaced. Throws
+  /// InputError otherwise, or when the folder beside it cannot be made.
+  WholeFolder(const std::filesystem::path& target, FolderCheck check);
   ~WholeFolder();  ///< removes what was not put in place
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
@@ -76,11 +75,13 @@ class WholeFolder {
   /// Where to write.
   [[nodiscard]] const std::filesystem::path& path() const { return partial_->path(); }
 
-  /// Once, when all is written. Throws StoreError when it cannot be done; then nothing has changed.
+  /// Once, when all is written. Throws StoreError when it cannot be done, and InputError when the
+  /// check refuses what came to be at the target meanwhile; then nothing has changed.
   void put_in_place();
 
  private:
   std::filesystem::path target_;
+  FolderCheck check_;
   std::optional<PartialName> partial_;  ///< none: it is in place
 };
 

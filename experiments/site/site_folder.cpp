@@ -2,11 +2,14 @@
 #include "experiments/site/site_folder.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <vector>
 
+#include "experiments/exports/own_files.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
@@ -100,6 +103,43 @@ json site_json(const Protocol& protocol, const SiteOptions& options,
   return site;
 }
 
+/// The trees of a site's mark; null where it is none.
+json trees_of(const fs::path& folder) {
+  std::ifstream stream(folder / kMark);
+  const json site = json::parse(stream, nullptr, false);
+  return site.is_object() && site.contains("study") && site.contains("trees") ? site["trees"]
+                                                                              : json();
+}
+
+/// Whether a site with these trees has such a file.
+bool is_of_site(const std::string& name, const json& trees) {
+  const auto is_name = [&](const auto& other) { return name == other; };
+  return name == kMark || name == "study.json" || name == "trees/" ||
+         std::any_of(std::begin(kPageFiles), std::end(kPageFiles),
+                     [&](const EmbeddedFile& file) { return is_name(file.name); }) ||
+         std::any_of(std::begin(kProgramFiles), std::end(kProgramFiles), is_name) ||
+         std::any_of(trees.begin(), trees.end(), [&](const json& tree) {
+           return tree.is_string() && is_name("trees/" + tree.get<std::string>());
+         });
+}
+
+/// Throws InputError unless a folder of files may be replaced.
+void check_target(const fs::path& target, const SiteOptions& options) {
+  const std::string expected = target.string() + ": expected a new folder, got one that holds ";
+  if (!options.replace) {
+    throw InputError(expected + "files; --force replaces a site");
+  }
+  const json trees = trees_of(target);
+  if (!trees.is_array()) {
+    throw InputError(expected + "files that are no site");
+  }
+  const std::string foreign =
+      foreign_name(target, [&](const std::string& name) { return is_of_site(name, trees); });
+  if (!foreign.empty()) {
+    throw InputError(expected + foreign + ", which is of no site");
+  }
+}
+
 void require_program(const fs::path& program) {
   for (const char* file : kProgramFiles) {
     if (!fs::is_regular_file(program / file)) {
@@ -138,12 +178,7 @@ void require_links(const SiteOptions& options) {
 void write_site(const PublishedStudy& study, const Protocol& protocol, const SiteOptions& options,
                 const fs::path& program, const fs::path& folder) {
   require_program(program);
-  WholeFolder whole(folder, [&](const fs::path& target) {
-    if (!options.replace || !fs::exists(target / kMark)) {
-      throw InputError(target.string() + ": expected a new folder, got one that holds files" +
-                       (options.replace ? " that are no site" : "; --force replaces a site"));
-    }
-  });
+  WholeFolder whole(folder, [&](const fs::path& target) { check_target(target, options); });
   for (const EmbeddedFile& file : kPageFiles) {
     const std::string name = file.name;
     write_output_file(whole.path() / name,

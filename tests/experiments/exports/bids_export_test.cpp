@@ -45,6 +45,41 @@ TEST(BidsExport, BreachesAreFound) {
   EXPECT_GT(breaches_with("notes.txt", ""), 0U);
 }
 
+/// The export once more, over the folder "out".
+ProgramResult export_again(const TemporaryFolder& folder) {
+  return run_program(
+      folder, {"export", WholeStudy::once().file(), "--format", "bids", "--out", "out", "--force"});
+}
+
+TEST(BidsExport, IsReplacedWithForceUnlessItHoldsSomethingElse) {
+  const TemporaryFolder folder;
+  fs::copy(exported() / "out", folder / "out", fs::copy_options::recursive);
+  const std::string mine = "sub-S01/ses-01/beh/sub-S01_ses-01_task-questionnaire_beh.tsv";
+  folder.write("out/" + mine, "mine");
+  EXPECT_EQ(export_again(folder).errors,
+            "impetus: " + (folder / "out").string() +
+                ": expected an earlier export to overwrite, got one that also holds " + mine +
+                ", which no export wrote\n");
+  EXPECT_EQ(text_of(folder / ("out/" + mine)), "mine");
+  fs::remove(folder / ("out/" + mine));
+  EXPECT_EQ(export_again(folder).status, 0);
+}
+
+TEST(BidsExport, OfABuildThatListedNoFilesIsReplacedUnlessItHoldsSomethingElse) {
+  const TemporaryFolder folder;
+  fs::copy(exported() / "out", folder / "out", fs::copy_options::recursive);
+  json description = json::parse(text_of(folder / "out/dataset_description.json"));
+  ASSERT_EQ(description["GeneratedBy"][0].erase("Files"), 1U);
+  folder.write("out/dataset_description.json", description.dump());
+  folder.write("out/sub-S01/ses-01/anat/sub-S01_ses-01_T1w.json", "{}");
+  EXPECT_EQ(export_again(folder).status, 2);
+  fs::remove_all(folder / "out/sub-S01/ses-01/anat");
+  EXPECT_EQ(export_again(folder).status, 0);
+  description["GeneratedBy"][0]["Name"] = "fMRIPrep";
+  folder.write("out/dataset_description.json", description.dump());
+  EXPECT_EQ(export_again(folder).status, 2);
+}
+
 TEST(BidsExport, HasAnEventForEveryStimulusAnswerClickAndCollision) {
   const Dataset dataset(exported() / "out");
   SQLite::Database study(WholeStudy::once().file().string(), SQLite::OPEN_READONLY);

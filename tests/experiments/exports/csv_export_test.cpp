@@ -315,11 +315,50 @@ TEST(CsvExport, AnEarlierExportIsReplacedWholeWithForce) {
   const TemporaryFolder folder;
   const std::string study = WholeStudy::once().file();
   EXPECT_EQ(run_program(folder, {"export", study, "--out", "out/"}).status, 0);
+  json book = json::parse(text_of(folder / "out/codebook.json"));
+  book["files"]["old.csv"] = book["files"]["notes.csv"];  // a table of an earlier version
+  folder.write("out/codebook.json", book.dump());
   folder.write("out/old.csv", "old");
   EXPECT_EQ(run_program(folder, {"export", study, "--out", "out"}).status, 2);
   EXPECT_EQ(run_program(folder, {"export", study, "--out", "out", "--force"}).status, 0);
   EXPECT_FALSE(std::filesystem::exists(folder / "out/old.csv"));
   EXPECT_EQ(text_of(folder / "out/trials.csv"), Exported::once().text("trials.csv"));
+}
+
+/// Exports with --force once `name` is there: refused, and what is there stays.
+void expect_kept(const TemporaryFolder& folder, const std::string& name) {
+  const std::string trials = text_of(folder / "out/trials.csv");
+  expect_refused(folder, {"export", WholeStudy::once().file(), "--out", "out", "--force"},
+                 (folder / "out").string() +
+                     ": expected an earlier export to overwrite, got one that also holds " + name +
+                     ", which no export wrote");
+  EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + name)));
+  EXPECT_EQ(text_of(folder / "out/trials.csv"), trials);
+  std::filesystem::remove(folder / ("out/" + name));
+}
+
+TEST(CsvExport, AnEarlierExportThatHoldsSomethingElseIsLeftAsItIs) {
+  const TemporaryFolder folder;
+  const std::string study = WholeStudy::once().file();
+  ASSERT_EQ(run_program(folder, {"export", study, "--out", "out"}).status, 0);
+  for (const char* mine : {"notes.txt", "mine.csv", "protocols/mine.protocol.json", "README"}) {
+    folder.write("out/" + std::string(mine), "mine");
+    expect_kept(folder, mine);
+  }
+  std::filesystem::create_directory(folder / "out/mydir");
+  expect_kept(folder, "mydir/");
+  std::filesystem::create_directory_symlink(folder.path(), folder / "out/link");
+  expect_kept(folder, "link");
+  EXPECT_EQ(run_program(folder, {"export", study, "--out", "out", "--force"}).status, 0);
+}
+
+TEST(CsvExport, AFolderWithACodebookOfItsOwnIsNoExport) {
+  const TemporaryFolder folder;
+  folder.write("out/codebook.json", R"({"about": "my data", "files": {"codebook.json": {}}})");
+  expect_refused(folder, {"export", WholeStudy::once().file(), "--out", "out", "--force"},
+                 (folder / "out").string() +
+                     ": expected an earlier export to overwrite, got a folder of other files, "
+                     "which --force leaves alone");
 }
 
 TEST(CsvExport, ADiskThatFillsLeavesNoHalfExport) {

@@ -47,6 +47,39 @@ TEST_F(ReportCommand, LeavesAFolderOfOtherThingsAlone) {
   EXPECT_EQ(text_of(folder_ / "out/thesis.tex"), "all of it");
 }
 
+TEST_F(ReportCommand, LeavesAReportAloneThatHoldsSomethingElse) {
+  folder_.write("out/report.html", "<p>");
+  folder_.write("out/figures/causality-rating-1.svg", "<svg/>");
+  folder_.write("out/figures/mine/plot.svg", "mine");
+  expect_refused(folder_, {"report", "a.sqlite", "--out", "out"},
+                 refusal_to_overwrite("that holds figures/mine/plot.svg"));
+  EXPECT_EQ(text_of(folder_ / "out/figures/mine/plot.svg"), "mine");
+}
+
+TEST_F(ReportCommand, ReplacesWhatAReportListsAndNothingElse) {
+  const std::filesystem::path rscript =
+      folder_.write("bin/Rscript",
+                    "#!/bin/sh\nwhile [ \"$1\" != --out ]; do shift; done\nmkdir \"$2/tables\" "
+                    "\"$2/figures\"\necho 1 >\"$2/tables/own.csv\"\necho 1 >\"$2/report.html\"\n");
+  std::filesystem::permissions(rscript, std::filesystem::perms::owner_all);
+  const std::string path = rscript.parent_path().string() + ":/usr/bin:/bin";
+  const auto report = [&] {
+    return run_program(folder_, {"report", "a.sqlite", "--out", "out"},
+                       [&path] { setenv("PATH", path.c_str(), 1); });
+  };
+  for (int i = 0; i < 2; ++i) {
+    const ProgramResult written = report();
+    ASSERT_EQ(written.status, 0) << written.errors;
+  }
+  for (const char* mine : {"tables/mine.csv", "analysis/R/mine.R", "data/mine.csv"}) {
+    folder_.write("out/" + std::string(mine), "mine");
+    EXPECT_EQ(report().errors,
+              "impetus: " + refusal_to_overwrite("that holds " + std::string(mine)) + "\n");
+    EXPECT_EQ(text_of(folder_ / ("out/" + std::string(mine))), "mine");
+    std::filesystem::remove(folder_ / ("out/" + std::string(mine)));
+  }
+}
+
 TEST_F(ReportCommand, TakesAFolderOfDataForNoReport) {
   folder_.write("out/data/a.csv", "1");
   expect_refused(folder_, {"report", "a.sqlite", "--out", "out"},

@@ -124,6 +124,24 @@ TEST(Publish, NeverOverwrites) {
   EXPECT_EQ(text_of(folder / "site/mine.txt"), "mine");
 }
 
+TEST(Publish, ASiteThatHoldsSomethingElseIsLeftAsItIs) {
+  const TemporaryFolder folder;
+  const std::string protocol = source_file("tests/builds/every-option.json").string();
+  const std::string program = stand_in_program(folder);
+  ASSERT_EQ(publish(folder, {"--program", program}, protocol).status, 0);
+  for (const std::string mine : {"logo.png", "trees/mine.txt", "returned/P01.jsonl"}) {
+    folder.write("site/" + mine, "mine");
+    EXPECT_EQ(publish(folder, {"--program", program, "--force"}).errors,
+              "impetus: " + (folder / "site").string() +
+                  ": expected a new folder, got one that holds " + mine +
+                  ", which is of no site\n");
+    EXPECT_EQ(text_of(folder / ("site/" + mine)), "mine");
+    std::filesystem::remove(folder / ("site/" + mine));
+  }
+  std::filesystem::remove(folder / "site/returned");
+  EXPECT_EQ(publish(folder, {"--program", program, "--force"}).status, 0);
+}
+
 TEST(Publish, RefusesWhatNoPageCanRun) {
   const TemporaryFolder folder;
   const std::string program = stand_in_program(folder);
