@@ -87,17 +87,42 @@ void WholeFile::put_in_place() {
   }
 }
 
-WholeFolder::WholeFolder(const fs::path& target, FolderCheck check)
-    : target_(free_target(target, check)), check_(std::move(check)) {
+ParentFolders::ParentFolders(const fs::path& innermost) {
+  make(innermost);
   std::error_code error;
-  fs::create_directories(target_.parent_path(), error);
-  if (!error) {
+  are_there_ = fs::is_directory(innermost, error);
+}
+
+ParentFolders::~ParentFolders() {
+  std::error_code ignored;
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+    fs::remove(*folder, ignored);  // which leaves a folder alone that holds anything
+  }
+}
+
+void ParentFolders::make(const fs::path& folder) {
+  std::error_code error;
+  if (!folder.has_relative_path() || fs::exists(folder, error)) {
+    return;
+  }
+  make(folder.parent_path());
+  if (fs::create_directory(folder, error)) {
+    made_.push_back(folder);
+  }
+}
+
+WholeFolder::WholeFolder(const fs::path& target, FolderCheck check)
+    : target_(free_target(target, check)),
+      check_(std::move(check)),
+      parents_(target_.parent_path()) {
+  if (parents_.are_there()) {
     partial_.emplace(target_, PartialName::Kind::kFolder);
   }
-  if (error || !partial_->is_made()) {
+  if (!partial_ || !partial_->is_made()) {
     throw InputError("--out: expected a folder to write to, could not make " + target_.string());
   }
-  fs::permissions(path(), fs::perms(0755), error);
+  std::error_code ignored;
+  fs::permissions(path(), fs::perms(0755), ignored);
 }
 
 WholeFolder::~WholeFolder() {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "experiments/exports/partial_name.hpp"
 #include "experiments/store/study_file.hpp"
@@ -62,6 +63,25 @@ class WholeFile {
 /// wherever it holds what the command did not write (own_files.hpp).
 using FolderCheck = std::function<void(const std::filesystem::path&)>;
 
+/// The folders above a target: those that were not there are made, and are gone again with this
+/// while nothing is in them.
+class ParentFolders {
+ public:
+  /// Makes `innermost` and all above it that is missing. Check are_there().
+  explicit ParentFolders(const std::filesystem::path& innermost);
+  ~ParentFolders();
+  ParentFolders(const ParentFolders&) = delete;
+  ParentFolders& operator=(const ParentFolders&) = delete;
+
+  [[nodiscard]] bool are_there() const { return are_there_; }
+
+ private:
+  void make(const std::filesystem::path& folder);
+
+  std::vector<std::filesystem::path> made_;  ///< the innermost last
+  bool are_there_{false};
+};
+
 /// A folder that is put in place once all is written.
 class WholeFolder {
  public:
@@ -82,6 +102,7 @@ class WholeFolder {
  private:
   std::filesystem::path target_;
   FolderCheck check_;
+  ParentFolders parents_;
   std::optional<PartialName> partial_;  ///< none: it is in place
 };
 

@@ -171,6 +171,22 @@ TEST(New, RefusesInASentenceAndLeavesNothing) {
   EXPECT_EQ(beyond.find("partial"), std::string::npos) << beyond;
 }
 
+TEST(New, ARefusalLeavesNoneOfTheFoldersAboveBehind) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "mine");
+  const auto made = [&](const char* level) {
+    return run_program(
+        folder, {"new", "mine/of/this/study", "--vary", "restitution=.5," + std::string(level)});
+  };
+  const ProgramResult refused = made("2");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("; nothing was written\n"), std::string::npos) << refused.errors;
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "mine"));
+  const ProgramResult fine = made(".8");
+  EXPECT_EQ(fine.status, 0) << fine.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "mine/of/this/study/protocol.json"));
+}
+
 TEST(New, OverwritesNothing) {
   const TemporaryFolder folder;
   folder.write("mine", "");
