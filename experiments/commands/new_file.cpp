@@ -17,6 +17,14 @@ void require_none(const std::filesystem::path& file, const char* unless) {
   }
 }
 
+/// Whatever folders the two names take their way through.
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+  const auto whole = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  return !one.empty() && !other.empty() && whole(one) == whole(other);
+}
+
 /// Whether `folder` can be made, if it is not there, and written to.
 bool can_hold_files(const std::filesystem::path& folder) {
   std::error_code error;
@@ -41,6 +49,18 @@ void require_new_file(const std::filesystem::path& file, bool force) {
     require_none(file, " without --force");
   }
   require_writable(file);
+}
+
+void require_new_files(const std::vector<AskedFile>& files) {
+  for (auto one = files.begin(); one != files.end(); ++one) {
+    require_new_file(one->file);
+    for (auto other = files.begin(); other != one; ++other) {
+      if (is_same_file(other->file, one->file)) {
+        throw InputError(other->asked_by + " and " + one->asked_by + ": expected two files, got " +
+                         one->file.string() + " for both");
+      }
+    }
+  }
 }
 
 void require_new_files(const std::filesystem::path& folder, const std::vector<std::string>& names,

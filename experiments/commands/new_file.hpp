@@ -16,6 +16,15 @@ void require_new_file(const std::filesystem::path& file);
 /// The same for a command with the option --force, which replaces what is there.
 void require_new_file(const std::filesystem::path& file, bool force);
 
+/// A file that a command was asked for, and by what: {"--json", "w.json"}.
+struct AskedFile {
+  std::string asked_by;
+  std::filesystem::path file;  ///< "": nobody asked for it
+};
+
+/// The same for all files of a command, of which no two may be one.
+void require_new_files(const std::vector<AskedFile>& files);
+
 /// The same for several files of `folder`, the option --out, which may not be there yet. Throws
 /// InputError, also when it is a file or could not be made. Nothing changes.
 void require_new_files(const std::filesystem::path& folder, const std::vector<std::string>& names,

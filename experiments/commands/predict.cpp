@@ -12,6 +12,7 @@
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/named_observer.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
@@ -137,6 +138,7 @@ Imagination imagination_of(const Protocol& protocol, const fs::path& file,
 }
 
 int predict(const PredictOptions& options) {
+  require_new_file(options.paths);
   const fs::path file = shipped_file(options.protocol);
   const Protocol protocol = load_protocol(file);
   if (!protocol.scene.value.contains("goal")) {

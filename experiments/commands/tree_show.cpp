@@ -96,8 +96,7 @@ void write_pictures(const ShowOptions& options, const ShownTree& shown, const Tr
 }
 
 int show(const ShowOptions& options) {
-  require_new_file(options.png);
-  require_new_file(options.strip);
+  require_new_files({{"--png", options.png}, {"--strip", options.strip}});
   const ShownTree shown = shown_from(load_tree(options.file));
   const TreeLook look = look_of(options, shown.tree);
   if (!options.png.empty() || !options.strip.empty()) {

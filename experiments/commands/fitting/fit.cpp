@@ -205,11 +205,11 @@ std::vector<std::vector<AnsweringPerson>> people_of(StudyFile& study, ReplayLibr
 
 int fit(const FitOptions& options) {
   const fs::path page = fs::path(options.out).replace_extension(".md");
-  require_new_file(options.out);
-  require_new_file(page);
   const fs::path draws = fs::path(options.out).replace_extension(".draws.csv");
+  require_new_files({{"--out", options.out},
+                     {"the page beside it", page},
+                     {"--posterior", options.posterior ? draws : fs::path()}});
   if (options.posterior) {
-    require_new_file(draws);
     require_sampler();
   }
   StudyFile study = StudyFile::open_for_reading(options.study);

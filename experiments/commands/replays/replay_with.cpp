@@ -244,8 +244,7 @@ std::string words_of_setting_keys() {
 
 int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                 const ReplayWithOptions& options) {
-  require_new_file(options.csv_file);
-  require_new_file(options.json_file);
+  require_new_files({{"--out", options.csv_file}, {"--json", options.json_file}});
   std::vector<SettingChange> changes;
   for (const std::string& given : options.with) {
     changes.push_back(setting_change(given));

@@ -132,6 +132,8 @@ TEST(FitCommand, RefusesInOneSentence) {
                  "a.sqlite: expected completed main trials of P99 that are not excluded, got none");
   expect_refused(folder, fit({"--out", "x.json", "--protocol", "gap"}),
                  "--protocol: expected one of a.sqlite (causality), got gap");
+  expect_refused(folder, fit({"--out", "x.md"}),
+                 "--out and the page beside it: expected two files, got x.md for both");
   EXPECT_FALSE(std::filesystem::exists(folder / "x.json"));
   EXPECT_FALSE(std::filesystem::exists(folder / "x.md"));
 }

@@ -106,6 +106,20 @@ TEST(ReplayWith, WritesARowForEachStimulus) {
   EXPECT_EQ(commas(rows[1]), commas(rows[0]) + 2);  // a condition of three factors, quoted
 }
 
+TEST(ReplayWith, TwoFilesOfOneNameAreRefused) {
+  const Copied study("gap");
+  const std::vector<std::string> ask{"replay", "a.sqlite", "--with", "level=1", "--out", "w.csv"};
+  for (const std::string& other :
+       {std::string("w.csv"), std::string("./w.csv"), (study.folder / "none/../w.csv").string()}) {
+    std::vector<std::string> words = ask;
+    words.insert(words.end(), {"--json", other});
+    std::filesystem::create_directories(study.folder / "none");
+    expect_refused(study.folder, words,
+                   "--out and --json: expected two files, got " + other + " for both");
+  }
+  EXPECT_FALSE(std::filesystem::exists(study.folder / "w.csv"));
+}
+
 TEST(ReplayWith, RefusesInOneSentence) {
   const Copied study("gaze-contingent");
   study.folder.write("there.csv", "");

@@ -17,6 +17,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/scene_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_study.hpp"
 
@@ -295,6 +296,9 @@ TEST(TwoBalls, PredictTellsWhatHappensWhatWouldHaveAndWhatIsExpected) {
   std::getline(file, first);
   EXPECT_EQ(head, "condition,body,time_s,x_px,y_px");
   EXPECT_EQ(first, "\"clip 1, judgement counterfactual\",\"A\",0.000000,830.0000,550.0000");
+  expect_refused(
+      folder, {"predict", source_file("protocols/two-balls.json").string(), "--paths", "paths.csv"},
+      "paths.csv: exists already and is not overwritten");
 }
 
 TEST(TwoBalls, PredictRefusesAProtocolWithoutAGoal) {
