@@ -1,7 +1,9 @@
 // `impetus exclude`: what the analysis is to leave out, and why.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/provenance/build_name.hpp"
@@ -26,8 +28,13 @@ int run_exclude(const ExcludeOptions& options) {
   exclusion.excluded = !options.take_back;
   StudyFile study = StudyFile::open_for_writing(options.database, build_name());
   exclude(study, exclusion);
-  std::printf("%s: %s. Nothing was deleted; --take-back undoes it.\n",
-              exclusion.participant.c_str(), exclusion.excluded ? "excluded" : "in again");
+  const std::string trial =
+      exclusion.trial_id ? ", trial " + std::to_string(*exclusion.trial_id) : "";
+  std::printf(
+      "%s%s: %s\n", exclusion.participant.c_str(), trial.c_str(),
+      exclusion.excluded
+          ? "excluded. Nothing was deleted; --take-back undoes it."
+          : "in again. Nothing was deleted: the study keeps each decision with its reason.");
   return kDone;
 }
 

@@ -27,10 +27,12 @@ ProgramResult excluded(const TemporaryFolder& folder, std::vector<std::string> o
 TEST(Exclusion, ItsReasonStandsInTheViewUntilItIsTakenBack) {
   const TemporaryFolder folder;
   const std::string study = finished_study(folder);
-  ASSERT_EQ(excluded(folder, {"--reason", "asleep"}).status, 0);
+  EXPECT_EQ(excluded(folder, {"--reason", "asleep"}).output,
+            "P01: excluded. Nothing was deleted; --take-back undoes it.\n");
   EXPECT_EQ(value_of(study, "SELECT participant || coalesce(trial, '') || reason FROM excluded"),
             "P01asleep");
-  ASSERT_EQ(excluded(folder, {"--reason", "was awake", "--take-back"}).status, 0);
+  EXPECT_EQ(excluded(folder, {"--reason", "was awake", "--take-back"}).output,
+            "P01: in again. Nothing was deleted: the study keeps each decision with its reason.\n");
   EXPECT_EQ(value_of(study, "SELECT count(*) FROM excluded"), "0");
   EXPECT_EQ(value_of(study, "SELECT group_concat(reason) FROM exclusion"), "asleep,was awake");
   EXPECT_EQ(value_of(study, "SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "81");
@@ -39,7 +41,8 @@ TEST(Exclusion, ItsReasonStandsInTheViewUntilItIsTakenBack) {
 TEST(Exclusion, OneTrialIsExcludedAlone) {
   const TemporaryFolder folder;
   const std::string study = finished_study(folder);
-  ASSERT_EQ(excluded(folder, {"--trial", "9", "--reason", "phone"}).status, 0);
+  EXPECT_EQ(excluded(folder, {"--trial", "9", "--reason", "phone"}).output,
+            "P01, trial 9: excluded. Nothing was deleted; --take-back undoes it.\n");
   EXPECT_EQ(value_of(study, "SELECT group_concat(trial) FROM excluded"), "9");
 }
 
