@@ -12,14 +12,15 @@
 namespace impetus::inline commands {
 
 /// A folder of this process in another, named `begin` and the process's mark; those of processes of
-/// this machine that were killed are removed.
+/// this machine that were killed are removed, and nothing else that begins so.
 class ScratchFolder {
  public:
   ScratchFolder(const std::filesystem::path& in, const std::string& begin)
       : folder_(in / (begin + mark_of_this_process())) {
     for (const auto& entry : std::filesystem::directory_iterator(in)) {
       const std::string name = entry.path().filename().string();
-      if (name.starts_with(begin) && !still_runs(name.substr(begin.size()))) {
+      const std::string mark = name.starts_with(begin) ? name.substr(begin.size()) : "";
+      if (is_process_mark(mark) && !still_runs(mark)) {
         std::error_code ignored;  // another process may be at it, too
         std::filesystem::remove_all(entry.path(), ignored);
       }

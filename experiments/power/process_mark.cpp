@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace impetus::inline power {
@@ -42,6 +43,11 @@ std::string mark_of(const std::string& process) {
 }  // namespace
 
 std::string mark_of_this_process() { return mark_of(std::to_string(getpid())); }
+
+bool is_process_mark(const std::string& words) {
+  static const std::regex kMark("[0-9a-f-]*:[0-9]+:[0-9]*");
+  return std::regex_match(words, kMark);
+}
 
 bool still_runs(const std::string& mark) {
   const std::size_t first = mark.find(':');

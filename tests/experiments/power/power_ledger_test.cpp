@@ -141,6 +141,7 @@ TEST_F(PowerLedgerTest, RefusesAFileThatIsNoLedger) {
 
 TEST(ProcessMark, TellsARunningProcessFromOneThatEndedAndFromWords) {
   EXPECT_TRUE(still_runs(mark_of_this_process()));
+  EXPECT_TRUE(is_process_mark(mark_of_this_process()));
   int mark[2];
   ASSERT_EQ(pipe(mark), 0);
   const pid_t child = fork();
@@ -155,6 +156,7 @@ TEST(ProcessMark, TellsARunningProcessFromOneThatEndedAndFromWords) {
   EXPECT_FALSE(still_runs(std::string(text, static_cast<std::size_t>(length))));
   for (const char* words : {"", "a", "a:b", "a:b:c", ":::", "x:1:y", "../..:../..:../.."}) {
     EXPECT_FALSE(still_runs(words)) << words;
+    EXPECT_FALSE(is_process_mark(words)) << words;
   }
 }
 
