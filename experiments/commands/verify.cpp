@@ -1,16 +1,16 @@
 // `impetus verify`: whether a study file can be published, and if not, why.
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replays/replay_levels.hpp"
 #include "experiments/store/study_file.hpp"
-#include "experiments/study/replay_library.hpp"
+#include "experiments/study/replay_comparison.hpp"
 #include "experiments/study/study_verification.hpp"
 #include "experiments/study/verification_report.hpp"
 
@@ -22,42 +22,13 @@ std::string place_of(const StoredAttempt& attempt, const std::string& protocol) 
          ", attempt " + std::to_string(attempt.number);
 }
 
-std::string words(const Divergence& divergence) {
-  return "diverges at step " + std::to_string(divergence.step) + ", " +
-         (divergence.body.empty() ? "in the hash alone"
-                                  : "body " + divergence.body + ", " + divergence.field);
-}
-
-/// What is wrong with an interval of an attempt; "": nothing.
-std::string problem_of(ReplayLibrary& library, const StoredAttempt& attempt, std::int64_t interval,
-                       std::int64_t& steps) {
-  const StagedScene scene = library.stage(attempt, interval);
-  const std::vector<StepRecord> recorded = library.steps(attempt, interval);
-  const ReplayResult result = replay(scene, recorded);
-  steps += result.steps;
-  if (result.divergence) {
-    return words(*result.divergence) + why_divergent(attempt);
-  }
-  constexpr double kOfAStep = 1e-9;
-  const auto whole = static_cast<std::int64_t>(std::ceil(result.ends_s * scene.step_hz - kOfAStep));
-  const bool shown_to_nobody = attempt.completed && attempt.onset_ns == 0;
-  if (shown_to_nobody && (recorded.empty() || recorded.back().step != whole)) {
-    return "expected steps up to " + std::to_string(whole) + ", the last one there is " +
-           std::to_string(recorded.empty() ? -1 : recorded.back().step);
-  }
-  return "";
-}
-
-std::string attempt_problem(ReplayLibrary& library, const StoredAttempt& attempt,
-                            std::int64_t& steps) {
+std::string problem_of(ReplayComparison& comparison, ReplayLibrary& library,
+                       const StoredAttempt& attempt) {
   try {
-    for (std::int64_t interval = 1; interval <= library.intervals(attempt); ++interval) {
-      const std::string problem = problem_of(library, attempt, interval, steps);
-      if (!problem.empty()) {
-        return place_of(attempt, library.protocol(attempt.protocol_id).name) + ": " + problem;
-      }
-    }
-    return "";
+    const std::string problem = comparison.problem_of(attempt);
+    return problem.empty()
+               ? ""
+               : place_of(attempt, library.protocol(attempt.protocol_id).name) + ": " + problem;
   } catch (const std::exception& error) {
     return "trial " + std::to_string(attempt.trial_id) + " cannot be simulated: " + error.what();
   }
@@ -73,22 +44,21 @@ void check_levels(StudyFile& study, ReplayLibrary& library, Failures& failures) 
   }
 }
 
-/// Compares each step of every attempt bit for bit, the last step of those that nobody was shown
-/// with the stimulus's length, and every adaptive level with what its track chooses anew.
+/// Compares each step of every attempt bit for bit, what was recorded of its collisions, and every
+/// adaptive level with what its track chooses anew.
 VerificationCheck check_replay(StudyFile& study) {
   VerificationCheck check{"replay", "", {}};
   ReplayLibrary library(study);
   const std::vector<StoredAttempt> attempts = load_attempts(study);
-  std::int64_t steps = 0;
+  ReplayComparison comparison(study, library);
   for (const StoredAttempt& attempt : attempts) {
-    const std::string problem = attempt_problem(library, attempt, steps);
-    if (!problem.empty()) {
-      check.failures.push_back(problem);
+    if (std::string problem = problem_of(comparison, library, attempt); !problem.empty()) {
+      check.failures.push_back(std::move(problem));
     }
   }
   check_levels(study, library, check.failures);
-  check.found = std::to_string(attempts.size()) + " trials again, " + std::to_string(steps) +
-                " steps, each bit as it was";
+  check.found = std::to_string(attempts.size()) + " trials again, " +
+                std::to_string(comparison.steps()) + " steps, each bit as it was";
   return check;
 }
 

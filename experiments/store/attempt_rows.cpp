@@ -50,6 +50,8 @@ std::optional<double> spin_along(const std::optional<ImposedSpin>& spin, Vector3
   return spin ? std::optional((*spin.*body)[axis]) : std::nullopt;
 }
 
+}  // namespace
+
 void insert_collisions(SQLite::Database& database, std::int64_t id, const AttemptRecord& attempt) {
   RowInsert rows(database, "collision");
   for (const CollisionRecord& collision : attempt.collisions) {
@@ -97,6 +99,8 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
                  {"imposed_spin_b_z_rad_s", spin_along(spin, &ImposedSpin::b, 2)}});
   }
 }
+
+namespace {
 
 void insert_frames(SQLite::Database& database, std::int64_t id,
                    const std::vector<FrameRecord>& frames) {

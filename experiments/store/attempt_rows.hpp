@@ -30,4 +30,7 @@ bool has_not_finite(const AttemptRecord& attempt);
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt, bool keeps_steps);
 
+/// Inserts only its collisions, as those of the attempt with this id. Throws SQLite::Exception.
+void insert_collisions(SQLite::Database& database, std::int64_t id, const AttemptRecord& attempt);
+
 }  // namespace impetus::inline store

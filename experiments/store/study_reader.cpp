@@ -118,6 +118,14 @@ std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attemp
       attempt_id, interval);
 }
 
+std::optional<double> load_last_shown_time_s(StudyFile& study, std::int64_t attempt_id,
+                                             std::int64_t interval) {
+  return load_value<double>(study.database(),
+                            "SELECT shown_time_s FROM frame WHERE attempt_id = ? AND interval = ? "
+                            "AND phase = 'stimulus' ORDER BY frame DESC LIMIT 1",
+                            attempt_id, interval);
+}
+
 std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id) {
   return load_as<StoredResponse, std::string, std::string, std::optional<bool>, std::optional<bool>,
                  bool, std::int64_t, std::string>(

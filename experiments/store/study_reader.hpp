@@ -63,6 +63,10 @@ std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id
 std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attempt_id,
                                            std::int64_t interval);
 
+/// Of what stimulus time the last was (seconds).
+std::optional<double> load_last_shown_time_s(StudyFile& study, std::int64_t attempt_id,
+                                             std::int64_t interval);
+
 /// An answer to a question other than a rating; `answer` is "" when left empty.
 struct StoredResponse {
   std::string kind;

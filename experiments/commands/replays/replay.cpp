@@ -12,7 +12,7 @@
 #include "experiments/commands/replays/replay_with.hpp"
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
-#include "experiments/study/replay_library.hpp"
+#include "experiments/study/replay_comparison.hpp"
 #include "experiments/tables/text_table.hpp"
 
 #ifdef IMPETUS_WINDOW
@@ -122,77 +122,39 @@ std::vector<StoredAttempt> chosen_attempts(StudyFile& study, const ReplayOptions
   return attempts;
 }
 
-/// " of interval 2", where there are two.
-std::string of_interval(std::int64_t interval, std::int64_t intervals) {
-  return intervals == 1 ? "" : " of interval " + std::to_string(interval);
-}
-
-void print_divergence(const StoredAttempt& attempt, const Divergence& divergence,
-                      const std::string& where) {
-  std::printf("trial %lld (%s, slot %lld, attempt %lld): diverges at step %lld%s",
+void print(const StoredAttempt& attempt, const std::string& what) {
+  std::printf("trial %lld (%s, slot %lld, attempt %lld): %s\n",
               static_cast<long long>(attempt.trial_id), printable(attempt.participant).c_str(),
               static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
-              static_cast<long long>(divergence.step), where.c_str());
-  std::string what = divergence.body.empty()
-                         ? "in the hash alone"
-                         : "body " + printable(divergence.body) + ", " + divergence.field;
-  if (divergence.named_at != divergence.step) {
-    what += ", as step " + std::to_string(divergence.named_at) + " tells";
-  }
-  std::printf(", %s%s\n", what.c_str(), why_divergent(attempt).c_str());
+              printable(what).c_str());
 }
 
-void print_taken_out(const StoredAttempt& attempt, const std::vector<TakenOut>& taken_out,
-                     const std::string& where) {
-  for (const TakenOut& body : taken_out) {
-    std::printf(
-        "trial %lld (%s, slot %lld, attempt %lld): body %s is taken out at step %lld%s: its "
-        "%s is not finite\n",
-        static_cast<long long>(attempt.trial_id), printable(attempt.participant).c_str(),
-        static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
-        printable(body.body).c_str(), static_cast<long long>(body.step), where.c_str(),
-        body.field.c_str());
+/// Whether the attempt is as it was recorded; what is not is told.
+bool replays(ReplayComparison& comparison, const StoredAttempt& attempt) {
+  const std::string problem = comparison.problem_of(attempt);
+  for (const std::string& taken_out : comparison.taken_out()) {
+    print(attempt, taken_out);
   }
-}
-
-/// What was simulated again, and how long that is in the stimuli's own time.
-struct Compared {
-  std::int64_t steps{0};
-  double simulated_s{0.0};
-};
-
-/// Whether all of an attempt's intervals replay as they were. Only the first divergence is told:
-/// what follows in the same trial follows from it.
-bool replays(ReplayLibrary& library, const StoredAttempt& attempt, Compared& compared) {
-  const std::int64_t intervals = library.intervals(attempt);
-  for (std::int64_t interval = 1; interval <= intervals; ++interval) {
-    const StagedScene scene = library.stage(attempt, interval);
-    const ReplayResult result = replay(scene, library.steps(attempt, interval));
-    compared.steps += result.steps;
-    compared.simulated_s += static_cast<double>(result.steps) / scene.step_hz;
-    print_taken_out(attempt, result.taken_out, of_interval(interval, intervals));
-    if (result.divergence) {
-      print_divergence(attempt, *result.divergence, of_interval(interval, intervals));
-      return false;
-    }
+  if (!problem.empty()) {
+    print(attempt, problem);
   }
-  return true;
+  return problem.empty();
 }
 
 int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   using Seconds = std::chrono::duration<double>;
   ReplayLibrary library(study);
-  Compared compared;
+  ReplayComparison comparison(study, library);
   std::int64_t diverged = 0;
   const auto start = std::chrono::steady_clock::now();
   for (const StoredAttempt& attempt : attempts) {
-    diverged += replays(library, attempt, compared) ? 0 : 1;
+    diverged += replays(comparison, attempt) ? 0 : 1;
   }
   diverged += compare_levels(study, attempts, library);
   const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
-  const double times = compared.simulated_s / took_s;
+  const double times = comparison.simulated_s() / took_s;
   std::printf("%zu trials, %lld steps, %.*f times real time, %lld divergent\n", attempts.size(),
-              static_cast<long long>(compared.steps), times < 10.0 ? 1 : 0, times,
+              static_cast<long long>(comparison.steps()), times < 10.0 ? 1 : 0, times,
               static_cast<long long>(diverged));
   return diverged == 0 ? kDone : kFound;
 }
