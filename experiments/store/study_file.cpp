@@ -18,6 +18,7 @@
 #include "experiments/store/migration.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/rows.hpp"
+#include "experiments/store/study_integrity.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -115,6 +116,15 @@ void keep_original(SQLite::Database& database, const std::filesystem::path& path
                static_cast<long long>(kSchemaVersion));
 }
 
+/// Refuses a study of the present schema that lacks one of its tables or views.
+void require_tables(SQLite::Database& database, const std::string& name) {
+  for (const std::string& difference : schema_differences(database)) {
+    if (difference.ends_with(kIsMissing)) {
+      throw InputError(name + ": expected a study that is whole, but " + difference);
+    }
+  }
+}
+
 std::unique_ptr<SQLite::Database> copied_in_memory(SQLite::Database& original) {
   auto copy =
       std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -179,6 +189,7 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
       keep_original(*study.database_, path, version);
       migrate(*study.database_, version);
     }
+    require_tables(*study.database_, study.name_);
     study.database_->setBusyTimeout(kPatience_ms);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected a study that can be written: " + error.what());
@@ -187,6 +198,12 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
 }
 
 StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
+  StudyFile study = open_as_it_is(path);
+  require_tables(*study.database_, study.name_);
+  return study;
+}
+
+StudyFile StudyFile::open_as_it_is(const std::filesystem::path& path) {
   StudyFile study;
   study.name_ = path.string();
   require_files(path);
@@ -195,13 +212,13 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
   }
   try {
     study.database_ = open_read_only(path);
+    const std::int64_t version = require_study(*study.database_, study.name_);
+    if (version < kSchemaVersion) {
+      study.database_ = copied_in_memory(*study.database_);
+      migrate(*study.database_, version);
+    }
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
-  }
-  const std::int64_t version = require_study(*study.database_, study.name_);
-  if (version < kSchemaVersion) {
-    study.database_ = copied_in_memory(*study.database_);
-    migrate(*study.database_, version);
   }
   return study;
 }

@@ -25,12 +25,17 @@ class StoreError : public std::runtime_error {
 class StudyFile {
  public:
   /// Opens a study for writing, or makes a new one; `build` goes into a new one. Throws InputError
-  /// when the file is no study, of a later version, read-only, or in use by another process. A
-  /// study of an older schema is kept beside it as it was and brought to the present one.
+  /// when the file is no study, of a later version, without one of its tables, read-only, or in use
+  /// by another process. A study of an older schema is kept beside it as it was and brought to the
+  /// present one.
   static StudyFile open_for_writing(const std::filesystem::path& path, const std::string& build);
 
-  /// Opens a study that exists, read-only; of an older schema, a copy in memory. Throws InputError.
+  /// Opens a study that exists, read-only; of an older schema, a copy in memory. Throws InputError,
+  /// also when one of its tables or views is missing.
   static StudyFile open_for_reading(const std::filesystem::path& path);
+
+  /// The same whatever is missing, for who looks for that.
+  static StudyFile open_as_it_is(const std::filesystem::path& path);
 
   /// A copy in memory, which may be changed: no file is. Throws SQLite::Exception.
   static StudyFile copy_in_memory(StudyFile& study);

@@ -186,7 +186,7 @@ std::vector<std::string> schema_differences(SQLite::Database& study) {
   for (const auto& [object, parts] : expected) {
     const auto there = found.find(object);
     if (there == found.end()) {
-      differences.push_back("the " + object + " is missing");
+      differences.push_back("the " + object + kIsMissing);
     } else {
       compare_parts(object, parts, there->second, differences);
     }

@@ -14,6 +14,9 @@
 
 namespace impetus::inline store {
 
+/// How the sentence ends of what a study lacks altogether.
+inline constexpr const char* kIsMissing = " is missing";
+
 /// What differs, each in one sentence; nothing when all is as it should be. Throws
 /// SQLite::Exception.
 std::vector<std::string> schema_differences(SQLite::Database& study);

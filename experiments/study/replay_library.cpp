@@ -2,6 +2,7 @@
 #include "experiments/study/replay_library.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/checked_scene.hpp"
@@ -164,7 +165,11 @@ void ReplayLibrary::check_changed(const StoredAttempt& attempt) {
 }
 
 std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt, std::int64_t interval) {
-  return load_steps(study_.database(), attempt.id, interval);
+  try {
+    return load_steps(study_.database(), attempt.id, interval);
+  } catch (const std::invalid_argument& error) {
+    refuse_trial(study_, attempt, error.what());
+  }
 }
 
 const Protocol& ReplayLibrary::protocol(std::int64_t id) {

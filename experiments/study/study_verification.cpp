@@ -269,7 +269,7 @@ Verification verify_study(const std::filesystem::path& path, const FurtherCheck&
       return verification;
     }
   }
-  StudyFile study = StudyFile::open_for_reading(path);
+  StudyFile study = StudyFile::open_as_it_is(path);
   try {
     const SQLite::Transaction one_moment(study.database());
     add_file_remarks(path, verification.remarks);

@@ -38,6 +38,34 @@ TEST(StudyFile, AStudyOfALaterSchemaIsRefused) {
   EXPECT_EQ(read_refusal(path), sentence);
 }
 
+TEST(StudyFile, AStudyThatLacksATableOrAViewIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  const std::string whole = path + ": expected a study that is whole, but ";
+  opened(path);
+  plain_database(path, "CREATE VIEW own AS SELECT 1");
+  EXPECT_EQ(read_refusal(path), "");  // what somebody added is in nobody's way
+  EXPECT_EQ(open_refusal(path), "");
+  plain_database(path, "DROP VIEW rated_trial");
+  EXPECT_EQ(open_refusal(path), whole + "the view rated_trial is missing");
+  EXPECT_EQ(read_refusal(path), whole + "the view rated_trial is missing");
+  plain_database(path, "DROP TABLE collision_truth");
+  EXPECT_EQ(open_refusal(path), whole + "the table collision_truth is missing");
+  StudyFile::open_as_it_is(path);
+}
+
+TEST(StudyFile, AnOlderStudyThatCannotBeBroughtToThePresentSchemaIsNamed) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "old.sqlite";
+  std::filesystem::copy_file(source_file("tests/recordings/causality.sqlite"), path);
+  std::filesystem::permissions(path, std::filesystem::perms::owner_write,
+                               std::filesystem::perm_options::add);
+  plain_database(path, "DROP TABLE collision");
+  EXPECT_EQ(read_refusal(path), path.string() +
+                                    ": expected an Impetus study that can be read: no such table: "
+                                    "collision");
+}
+
 TEST(StudyFile, AMissingFileIsRefusedForReadingAndNotMade) {
   const TemporaryFolder folder;
   const std::string path = (folder / "none.sqlite").string();
