@@ -77,6 +77,24 @@ std::string unknown_argument(const CLI::App& command, const CLI::ParseError& err
   return error.what() + (unknown.empty() ? "" : perhaps(unknown.front(), names));
 }
 
+/// Refuses whole numbers that the library would read by another base: 010 is 8 to it, 0x10 is 16.
+void require_decimal_numbers(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    for (const std::string& given : option->results()) {
+      const std::size_t first = given.find_first_not_of("+-");
+      if ((type.starts_with("INT") || type.starts_with("UINT")) && first + 1 < given.size() &&
+          given[first] == '0') {
+        throw CLI::ValidationError(option->get_name(),
+                                   "expected a whole number without a 0 before it, got " + given);
+      }
+    }
+  }
+  for (const CLI::App* command : app.get_subcommands()) {
+    require_decimal_numbers(*command);
+  }
+}
+
 /// Whether all that was printed was written, or nobody was meant to read it; else says so.
 bool told_all() {
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -131,6 +149,7 @@ int main(int argc, char** argv) {
   impetus::add_trade(app, chosen);
   try {
     app.parse(argc, argv);
+    require_decimal_numbers(app);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help or --version
       return app.exit(error);

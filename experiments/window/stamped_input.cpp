@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/window/stamped_input.hpp"
 
+#include <cstdio>
+
 #include "experiments/window/display.hpp"
 
 namespace impetus::inline window {
@@ -24,12 +26,25 @@ void EventPump::pump() {
 }
 
 void EventPump::notice(const SDL_Event& event) {
-  const bool window_closed =
-      event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE;
-  closed_ = closed_ || event.type == SDL_QUIT || window_closed;
+  const bool of_window = event.type == SDL_WINDOWEVENT;
+  closed_ = closed_ || event.type == SDL_QUIT ||
+            (of_window && event.window.event == SDL_WINDOWEVENT_CLOSE);
+  if (of_window && event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
+    notice_size(event.window.data1, event.window.data2);
+  }
   const bool escape =
       event.type == SDL_KEYDOWN && event.key.repeat == 0 && event.key.keysym.sym == SDLK_ESCAPE;
   pause_requested_ = pause_requested_ || escape;
+}
+
+void EventPump::notice_size(int width_px, int height_px) {
+  if (kept_px_ && *kept_px_ != std::pair(width_px, height_px) && !closed_) {
+    closed_ = true;
+    std::fprintf(stderr,
+                 "impetus: the window changed from %d × %d px to %d × %d px, so that nothing in it "
+                 "would be as large as was measured; everything answered before is saved\n",
+                 kept_px_->first, kept_px_->second, width_px, height_px);
+  }
 }
 
 std::vector<StampedEvent> EventPump::take() { return std::exchange(events_, {}); }

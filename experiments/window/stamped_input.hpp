@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,10 @@ class EventPump {
   /// From now on `heard` is told of every event as it is pumped; {}: nobody is.
   void listen(std::function<void(const StampedEvent&)> heard) { heard_ = std::move(heard); }
 
+  /// From now on a window of another size than this counts as closed, which is said: nothing in it
+  /// would be seen under the angles that were measured.
+  void close_when_resized(int width_px, int height_px) { kept_px_ = {width_px, height_px}; }
+
   /// Whether Esc was pressed since the last call.
   bool take_pause_request();
 
@@ -54,9 +59,11 @@ class EventPump {
 
  private:
   void notice(const SDL_Event& event);
+  void notice_size(int width_px, int height_px);
 
   const Clock& clock_;
   std::int64_t looked_ns_;
+  std::optional<std::pair<int, int>> kept_px_;  ///< none: of any size
   std::vector<StampedEvent> events_;
   std::function<void(const StampedEvent&)> heard_;
   bool pause_requested_{false};

@@ -91,6 +91,8 @@ int Window::height_px() const { return canvas_->window.height_px(); }
 void Window::restart_grid() { canvas_->deadlines.restart(); }
 bool Window::has_patch() const { return canvas_->patch.has_value(); }
 
+void Window::close_when_resized() { canvas_->events.close_when_resized(width_px(), height_px()); }
+
 void Window::show_patch(ScreenCorner corner) {
   canvas_->patch = patch_area(corner, geometry_, width_px(), height_px());
 }

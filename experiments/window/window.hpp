@@ -62,6 +62,8 @@ class Window final : public Display, public Input {
 
   /// The lab's measures in metres. Pixels are the window's own when they are 0.
   void set_geometry(const ScreenGeometry& geometry);
+  /// From now on a window of another size counts as closed: see EventPump.
+  void close_when_resized();
   /// From now on a photodiode patch is drawn over all that is shown, dark where nothing is timed.
   /// Call it after set_geometry(), which says how large the screen is.
   void show_patch(ScreenCorner corner);

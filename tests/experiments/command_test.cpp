@@ -68,6 +68,10 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
                           "../stimuli/two-spheres.json; impetus "
                           "check explains a protocol, impetus run shows it"},
       {{"--threads", "0", "check", causality_file()}, "--threads: Value 0 not in range 1 to 64"},
+      {{"--threads", "010", "check", causality_file()},
+       "--threads: expected a whole number without a 0 before it, got 010"},
+      {simulated_run({"--participants", "0x10"}),
+       "--participants: expected a whole number without a 0 before it, got 0x10"},
       {simulated_run({"--participants", "0"}), "--participants: Value 0 not in range 1 to 100000"},
       {simulated_run({"--participant", "S01", "--seed", "-1"}),
        "--seed: Value -1 not in range 0 to 9223372036854775807"},

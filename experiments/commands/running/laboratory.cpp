@@ -129,6 +129,7 @@ class WindowLaboratory final : public Laboratory {
       : audio_(options.sounds ? std::make_unique<AudioDevice>() : nullptr),
         window_(options_of(options), clock_) {
     window_.set_geometry(lab_screen(options));
+    window_.close_when_resized();
     if (options.photodiode) {
       window_.show_patch(*options.photodiode);
     }
