@@ -7,7 +7,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <sstream>
 
@@ -35,80 +37,6 @@ struct NewOptions {
   std::string levels;
 };
 
-/// What was given; else, on a terminal, what is answered; else the default.
-std::string answer(const std::string& given, const std::string& words,
-                   const std::string& otherwise) {
-  if (!given.empty() || isatty(STDIN_FILENO) == 0) {
-    return given.empty() ? otherwise : given;
-  }
-  std::printf("%s [%s]: ", words.c_str(), otherwise.c_str());
-  std::fflush(stdout);
-  std::string line;
-  std::getline(std::cin, line);
-  return line.empty() ? otherwise : line;
-}
-
-std::string choose_template(const std::string& given) {
-  const std::vector<StudyTemplate> all = study_templates();
-  std::string words = "What is shown?\n";
-  for (const StudyTemplate& each : all) {
-    words += "  " + each.name + ": " + each.words + "\n";
-  }
-  return answer(given, words + "Template", all.front().name);
-}
-
-std::vector<std::string> choose_factors(const std::vector<std::string>& given,
-                                        const std::string& study_template) {
-  if (!given.empty()) {
-    return given;
-  }
-  for (const StudyTemplate& each : study_templates()) {
-    if (each.name == study_template) {
-      std::istringstream words(
-          answer("",
-                 "What is varied? " + listed(each.offered) +
-                     ";\none or two of them, with levels: NAME=LEVEL,LEVEL NAME=LEVEL,LEVEL",
-                 each.offered.front()));
-      return {std::istream_iterator<std::string>(words), {}};
-    }
-  }
-  return {};
-}
-
-/// What is asked, in which words, and how levels are chosen for it.
-void choose_question(const NewOptions& options, StudyChoices& choices) {
-  const std::vector<OfferedQuestion> offered =
-      offered_questions(choices.study_template, choices.language);
-  std::vector<std::string> names;
-  for (const OfferedQuestion& each : offered) {
-    names.push_back(each.name);
-  }
-  choices.ask = answer(options.ask, "What is asked? " + listed(names), names.front());
-  choices.question = options.question;
-  choices.levels = options.levels.empty() ? "all" : options.levels;
-  for (const OfferedQuestion& each : offered) {
-    if (each.name == choices.ask && !each.words.empty()) {
-      choices.question = answer(options.question, "The question's words", each.words);
-    }
-    if (each.name == choices.ask && each.detects) {
-      choices.levels = answer(options.levels,
-                              "Which levels are shown? all of them equally often; or chosen by the "
-                              "answers: staircase, quest",
-                              "all");
-    }
-  }
-}
-
-StudyChoices choices_from(const NewOptions& options) {
-  StudyChoices choices;
-  choices.name = fs::path(options.folder).filename().string();
-  choices.language = answer(options.language, "The participants' language", "en");
-  choices.study_template = choose_template(options.study_template);
-  choices.vary = choose_factors(options.vary, choices.study_template);
-  choose_question(options, choices);
-  return choices;
-}
-
 /// Reads what was written as any study is read, so that nothing stays that could not be run.
 void write_page(const fs::path& folder) {
   const Protocol protocol = load_protocol(folder / "protocol.json");
@@ -131,19 +59,167 @@ std::string as_asked(std::string message, const fs::path& written, const std::st
   throw InputError(there.string() + ": exists already and is not overwritten");
 }
 
-void write_study(const NewOptions& options, const std::map<std::string, std::string>& files) {
-  WholeFolder folder(options.folder, FolderCheck(refuse_what_exists));
+/// Writes a study that is called `name` and reads it again. Throws InputError.
+void write_study(const WholeFolder& folder, const std::string& name, const StudyChoices& choices) {
+  const std::map<std::string, std::string> files = make_study(choices);
   try {
-    for (const auto& [name, text] : files) {
-      write_output_file(folder.path() / name, text);
+    for (const auto& [file, text] : files) {
+      write_output_file(folder.path() / file, text);
     }
     write_page(folder.path());
   } catch (const InputError& error) {
-    throw InputError(as_asked(error.what(), folder.path(), options.folder) +
-                     "; nothing was written");
+    throw InputError(as_asked(error.what(), folder.path(), name) + "; nothing was written");
   }
-  folder.put_in_place();
 }
+
+/// Asks on a terminal for what no option says. What leads to no study is said at once, and asked
+/// again.
+class Dialog {
+ public:
+  explicit Dialog(const NewOptions& options) : options_(options), asks_(isatty(STDIN_FILENO) != 0) {
+    choices_.name = fs::path(options.folder).filename().string();
+    begin(study_templates().front().name);
+  }
+
+  StudyChoices choices() {
+    if (asks_) {
+      check();
+    }
+    choose(options_.language, "The participants' language", "en",
+           [this](const std::string& given) { choices_.language = given; });
+    choose(options_.study_template, template_words(), study_templates().front().name,
+           [this](const std::string& given) { begin(given); });
+    choose_factors();
+    choose_question();
+    return choices_;
+  }
+
+ private:
+  using Take = std::function<void(const std::string& given)>;
+
+  /// Takes what was given; else, on a terminal, what is answered until it leads to a study; else
+  /// the default.
+  void choose(const std::string& given, const std::string& words, const std::string& otherwise,
+              const Take& take) {
+    if (!given.empty() || !asks_) {
+      take(given.empty() ? otherwise : given);
+      if (asks_) {
+        check();
+      }
+      return;
+    }
+    std::string line;
+    do {
+      std::printf("%s [%s]: ", words.c_str(), otherwise.c_str());
+      std::fflush(stdout);
+      line.clear();
+      asks_ = static_cast<bool>(std::getline(std::cin, line));
+    } while (!is_taken(line.empty() ? otherwise : line, take) && asks_);
+  }
+
+  /// Throws InputError where the choices so far, with defaults for the others, are no study.
+  void check() const {
+    const WholeFolder tried(options_.folder, FolderCheck(refuse_what_exists));
+    write_study(tried, options_.folder, choices_);
+  }
+
+  bool is_taken(const std::string& given, const Take& take) {
+    const StudyChoices before = choices_;
+    try {
+      take(given);
+      check();
+      return true;
+    } catch (const InputError& error) {
+      if (!asks_) {
+        throw;
+      }
+      std::printf("%s\n", error.what());
+      choices_ = before;
+      return false;
+    }
+  }
+
+  static std::string template_words() {
+    std::string words = "What is shown?\n";
+    for (const StudyTemplate& each : study_templates()) {
+      words += "  " + each.name + ": " + each.words + "\n";
+    }
+    return words + "Template";
+  }
+
+  /// A template with its own first factor and question, until others are chosen.
+  void begin(const std::string& name) {
+    choices_.study_template = name;
+    choices_.ask = offered_questions(name, choices_.language).front().name;
+    choices_.vary = {offered_factors().front()};
+  }
+
+  [[nodiscard]] std::vector<std::string> offered_factors() const {
+    for (const StudyTemplate& each : study_templates()) {
+      if (each.name == choices_.study_template) {
+        return each.offered;
+      }
+    }
+    return {""};  // offered_questions() has refused it
+  }
+
+  void choose_factors() {
+    const std::vector<std::string> offered = offered_factors();
+    std::string given;
+    for (const std::string& factor : options_.vary) {
+      given += (given.empty() ? "" : " ") + factor;
+    }
+    choose(given,
+           "What is varied? " + listed(offered) +
+               ";\none or two of them, with levels: NAME=LEVEL,LEVEL NAME=LEVEL,LEVEL",
+           offered.front(), [this](const std::string& given) {
+             std::istringstream words(given);
+             choices_.vary = {std::istream_iterator<std::string>(words), {}};
+           });
+  }
+
+  /// What is asked, in which words, and how levels are chosen for it.
+  void choose_question() {
+    const std::vector<OfferedQuestion> offered =
+        offered_questions(choices_.study_template, choices_.language);
+    std::vector<std::string> names;
+    for (const OfferedQuestion& each : offered) {
+      names.push_back(each.name);
+    }
+    choose(options_.ask, "What is asked? " + listed(names), names.front(),
+           [this](const std::string& given) { choices_.ask = given; });
+    choices_.question = options_.question;
+    choices_.levels = options_.levels.empty() ? "all" : options_.levels;
+    for (const OfferedQuestion& each : offered) {
+      if (each.name == choices_.ask && !each.words.empty()) {
+        choose(options_.question, "The question's words", each.words,
+               [this](const std::string& given) { choices_.question = given; });
+      }
+      if (each.name == choices_.ask && each.detects && (!asks_ || has_levels_to_choose_from())) {
+        choose(options_.levels,
+               "Which levels are shown? all of them equally often; or chosen by the answers: "
+               "staircase, quest",
+               "all", [this](const std::string& given) { choices_.levels = given; });
+      }
+    }
+  }
+
+  /// Whether a staircase has a scale of levels to move on.
+  [[nodiscard]] bool has_levels_to_choose_from() const {
+    StudyChoices chosen = choices_;
+    chosen.levels = "staircase";
+    try {
+      make_study(chosen);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  const NewOptions& options_;
+  bool asks_;
+  StudyChoices choices_;
+};
 
 int make_new_study(NewOptions options) {
   while (options.folder.size() > 1 && options.folder.back() == '/') {
@@ -155,7 +231,10 @@ int make_new_study(NewOptions options) {
   if (fs::exists(options.folder)) {
     refuse_what_exists(options.folder);
   }
-  write_study(options, make_study(choices_from(options)));
+  const StudyChoices choices = Dialog(options).choices();
+  WholeFolder folder(options.folder, FolderCheck(refuse_what_exists));
+  write_study(folder, options.folder, choices);
+  folder.put_in_place();
   const std::string at = options.folder + "/";
   std::printf(
       "%s: protocol.json, scene.json, observer.json, and protocol.md, which explains them\n"
