@@ -165,11 +165,14 @@ class Dialog {
 
   void choose_factors() {
     const std::vector<std::string> offered = offered_factors();
-    std::string given;
-    for (const std::string& factor : options_.vary) {
-      given += (given.empty() ? "" : " ") + factor;
+    if (!options_.vary.empty()) {
+      choices_.vary = options_.vary;
+      if (asks_) {
+        check();
+      }
+      return;
     }
-    choose(given,
+    choose("",
            "What is varied? " + listed(offered) +
                ";\none or two of them, with levels: NAME=LEVEL,LEVEL NAME=LEVEL,LEVEL",
            offered.front(), [this](const std::string& given) {
