@@ -222,4 +222,54 @@ TEST(Observers, WhoLooksAtNothingThatVariesIsWarnedOf) {
       << checked.errors;
 }
 
+std::size_t count_of(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+/// What the program says to who types these lines at its terminal.
+ProgramResult typed(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                    const std::string& lines) {
+  const int keyboard = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  EXPECT_TRUE(keyboard >= 0 && grantpt(keyboard) == 0 && unlockpt(keyboard) == 0);
+  const int terminal = open(ptsname(keyboard), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  EXPECT_EQ(write(keyboard, lines.data(), lines.size()), static_cast<ssize_t>(lines.size()));
+  ProgramResult result =
+      run_program(folder, arguments, [terminal] { dup2(terminal, STDIN_FILENO); });
+  close(terminal);
+  close(keyboard);
+  return result;
+}
+
+TEST(New, AnAnswerThatLeadsToNoStudyIsSaidAtOnceAndAskedAgain) {
+  const TemporaryFolder folder;
+  const ProgramResult result = typed(folder, {"new", "mine"},
+                                     "xx\n\n"                                 // language
+                                     "one-ball\ntwo-balls\n"                  // template
+                                     "mass=1,2\nrestitution=5,6\ndelay_ms\n"  // factor
+                                     "nothing\ndetection\n"                   // question
+                                     "Seen?\n"                                // its words
+                                     "dice\nstaircase\n");                    // levels
+  EXPECT_EQ(result.status, 0) << result.errors;
+  for (const char* refusal :
+       {"/language: expected one of", "--template: expected one of two-balls",
+        "--vary: expected one of restitution", "levels/0: expected a number ≥ 0 and ≤ 1, got 5",
+        "--ask: expected one of yes-no", "--levels: expected all, staircase or quest, got dice"}) {
+    EXPECT_EQ(count_of(result.output, refusal), 1U) << refusal << "\n" << result.output;
+  }
+  const auto protocol = nlohmann::json::parse(text_of(folder / "mine/protocol.json"));
+  EXPECT_EQ(protocol["yes_no"]["question"], "Seen?");
+  EXPECT_TRUE(protocol["design"].contains("adaptive"));
+}
+
+TEST(New, WithLevelsOfTheirOwnTooFewForAStaircaseNoneIsOffered) {
+  const TemporaryFolder folder;
+  const ProgramResult few = typed(folder, {"new", "few"}, "\n\nrestitution=.2,.8\ndetection\n\n");
+  EXPECT_EQ(few.status, 0) << few.output << few.errors;
+  EXPECT_EQ(count_of(few.output, "Which levels are shown?"), 0U) << few.output;
+}
+
 }  // namespace impetus::new_test
