@@ -262,7 +262,7 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
       {"INSERT INTO exclusion VALUES (NULL, 1, NULL, 1, 'asleep', 'then')",
        "left out of the analysis: 1 participants, 0 single trials, with reasons"},
       {"UPDATE session SET build = 'impetus 0.1.0, abc-dirty, GNU' WHERE id = 2",
-       "1 sessions were recorded by a build with changes that no commit holds (-dirty)"},
+       "1 session was recorded by a build with changes that no commit holds (-dirty)"},
       {"UPDATE answer SET answer = NULL WHERE kind = 'consent' AND session_id = 2",
        "1 people's enrolments have trials, but no consent that was kept"},
       {"UPDATE answer SET answer = 'mine' WHERE id = (SELECT max(id) FROM answer)",
