@@ -66,8 +66,9 @@ SELECT count(*) || iif(count(*) = 1, ' note says', ' notes say') ||
     ' that the state of a body was no longer finite'
   FROM note WHERE kind = 'not finite' HAVING count(*) > 0;
 
-SELECT 'left out of the analysis: ' || people || iif(people = 1, ' participant, ', ' participants, ') ||
-    trials || iif(trials = 1, ' single trial', ' single trials') || ', with reasons'
+SELECT 'left out of the analysis: ' || people ||
+    iif(people = 1, ' participant, ', ' participants, ') || trials ||
+    iif(trials = 1, ' single trial', ' single trials') || ', with reasons'
   FROM (SELECT count(*) FILTER (WHERE trial IS NULL) AS people,
     count(*) FILTER (WHERE trial IS NOT NULL) AS trials FROM excluded) WHERE people + trials > 0;
 

@@ -260,7 +260,7 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
        "late_timed_frames = 10 WHERE id = 7; UPDATE attempt SET timed_frames = timed_frames",
        "10 of 1534 timed frames were late (0.65 %)"},
       {"INSERT INTO exclusion VALUES (NULL, 1, NULL, 1, 'asleep', 'then')",
-       "left out of the analysis: 1 participants, 0 single trials, with reasons"},
+       "left out of the analysis: 1 participant, 0 single trials, with reasons"},
       {"UPDATE session SET build = 'impetus 0.1.0, abc-dirty, GNU' WHERE id = 2",
        "1 session was recorded by a build with changes that no commit holds (-dirty)"},
       {"UPDATE answer SET answer = NULL WHERE kind = 'consent' AND session_id = 2",
