@@ -43,19 +43,19 @@ Core block_core(const Vector3& centre, const Matrix3& axes, const Vector3& half_
 bool comes_after(const CoredVolume& a, const CoredVolume& b) {
   const auto compared = [](const auto& of_a, const auto& of_b) {
     std::partial_ordering order = std::partial_ordering::equivalent;
-    for (Eigen::Index i = 0; order == 0 && i < of_a.size(); ++i) {
+    for (Eigen::Index i = 0; std::is_eq(order) && i < of_a.size(); ++i) {
       order = of_a.data()[i] <=> of_b.data()[i];
     }
     return order;
   };
   std::partial_ordering order = compared(a.core.centre, b.core.centre);
-  if (order == 0) {
+  if (std::is_eq(order)) {
     order = compared(a.core.half_m, b.core.half_m);
   }
-  if (order == 0) {
+  if (std::is_eq(order)) {
     order = compared(a.core.axes, b.core.axes);
   }
-  return order == 0 ? a.radius_m > b.radius_m : order > 0;
+  return std::is_eq(order) ? a.radius_m > b.radius_m : std::is_gt(order);
 }
 
 double bounding_radius_m(const Core& core) { return core.half_m.norm(); }
