@@ -13,8 +13,9 @@ ObserverFile observer_for(const Protocol& protocol, const std::filesystem::path&
   const std::string shipped = shipped_file(name);
   const auto beside = std::filesystem::absolute(file).parent_path().parent_path() / name;
   std::error_code ignored;
-  const bool is_own = std::filesystem::exists(name_or_path, ignored) ||
-                      std::filesystem::exists(beside, ignored) ||
+  const bool is_file = std::filesystem::exists(name_or_path, ignored) &&
+                       !std::filesystem::is_directory(name_or_path, ignored);
+  const bool is_own = is_file || std::filesystem::exists(beside, ignored) ||
                       !std::filesystem::exists(shipped, ignored);
   ObserverFile observer = load_observer(is_own ? name_or_path : shipped, file);
   check_observer(protocol, observer);

@@ -3,6 +3,7 @@
 #include "experiments/protocol/factor_values.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace {
 
 std::filesystem::path find_observer(const std::string& name,
                                     const std::filesystem::path& protocol) {
-  if (is_there(name)) {
+  std::error_code ignored;
+  if (is_there(name) && !std::filesystem::is_directory(name, ignored)) {
     return name;
   }
   const auto root = std::filesystem::absolute(protocol).parent_path().parent_path();

@@ -72,6 +72,8 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
        "--threads: expected a whole number without a 0 before it, got 010"},
       {simulated_run({"--participants", "0x10"}),
        "--participants: expected a whole number without a 0 before it, got 0x10"},
+      {simulated_run({"--participant", "S01", "--window", "640x512"}),
+       "--window: expected --show beside --observer, for nobody sees a window else"},
       {simulated_run({"--participants", "0"}), "--participants: Value 0 not in range 1 to 100000"},
       {simulated_run({"--participant", "S01", "--seed", "-1"}),
        "--seed: Value -1 not in range 0 to 9223372036854775807"},

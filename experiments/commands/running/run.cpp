@@ -110,6 +110,9 @@ void require_sensible(const RunOptions& options) {
   if (options.participants > 0 && options.show) {
     throw InputError("--show: expected one participant, not --participants");
   }
+  if (simulated && !options.show && !options.window_size.empty()) {
+    throw InputError("--window: expected --show beside --observer, for nobody sees a window else");
+  }
   if (options.participants > 0 && !options.participant.empty()) {
     throw InputError("--participant: expected either one participant or --participants N");
   }

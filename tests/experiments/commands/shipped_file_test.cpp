@@ -11,6 +11,7 @@ TEST(ShippedFiles, AreFoundFromAnyFolder) {
   const TemporaryFolder folder;  // no protocols lie here
   const ProgramResult checked = run_program(folder, {"check", "protocols/causality.json"});
   EXPECT_EQ(checked.status, 0) << checked.errors;
+  std::filesystem::create_directory(folder.path() / "causality");  // nor is this an observer
   const ProgramResult run =
       run_program(folder, {"run", "protocols/causality.json", "--db", "s.sqlite", "--observer",
                            "causality", "--participant", "S01"});
