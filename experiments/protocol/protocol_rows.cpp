@@ -84,9 +84,11 @@ Kind<Blocks> blocks_kind() {
 
 Kind<CatchTrials> catch_kind() {
   using C = CatchTrials;
-  return object<C>("", {required("condition", &C::condition, condition_kind(),
-                                 "A level for every factor; it need not be one of the design's."),
-                        required("count", &C::count, count(1, 1000), "In each block.")});
+  return object<C>(
+      "", {required(
+               "condition", &C::condition, condition_kind(),
+               "A level for every factor within participants; it need not be one of the design's."),
+           required("count", &C::count, count(1, 1000), "In each block.")});
 }
 
 Kind<Adaptation> adaptation_kind() {
@@ -97,7 +99,9 @@ Kind<Adaptation> adaptation_kind() {
       "pooled, and without fixation (timing/between_adaptors_ms).",
       {required("when", &A::when, condition_kind(), "Levels of the trials that they precede."),
        required("conditions", &A::conditions, list(condition_kind(), kSome),
-                "Shown in turn: a level for every factor, which need not be one of the design's."),
+                "Shown in turn: a level for every factor within participants, which need not be "
+                "one of the "
+                "design's."),
        required("first", &A::first, some, "Before the first such trial of each block."),
        required("before_each", &A::before_each, some, "Before each other one.")});
 }
