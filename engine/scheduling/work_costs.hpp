@@ -26,7 +26,8 @@ struct WorkCosts {
   friend bool operator==(const WorkCosts&, const WorkCosts&) = default;
 };
 
-/// All phases of collision handling, as measured (the table is in engine/README.md).
+/// All phases of collision handling, as calibrated when recordings began to rest on it; what is
+/// measured today stands beside it in engine/README.md.
 inline constexpr WorkCosts kAllPhases{1, 16, 3, 100, 60, 1000};
 
 /// Far above any sensible ratio, and far below what could overflow.

@@ -32,9 +32,8 @@ enum Degradation : std::uint32_t {
   kApproachRemains = 2,  ///< the response ran out of passes and left bodies approaching
   kNotFinite = 4,        ///< a body is out, since its state was not a finite number
   kStoppedShort = 8,     ///< bodies were stopped at entry and lost the rest of the step
-  /// WorldSettings::most_entry_tests kept fast pairs from being tested along their whole way: they
-  /// stayed at coarser levels, or stopped early
-  /// or the meter did
+  /// WorldSettings::most_entry_tests, or the meter, kept fast pairs from being tested along their
+  /// whole way: they stayed at coarser levels, or stopped early
   kEntryTestsSpent = 16,
   kMotionCut = 32,  ///< figures took the step in fewer parts than they should, or as one body
   kPairsLeft = 64,  ///< pairs of bodies were not found, or hardly reach into each other and were

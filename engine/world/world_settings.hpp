@@ -83,9 +83,9 @@ struct WorldSettings {
   /// Over the contacts of an island, in a step; what still approaches is left to the next step
   /// (ResponseRules::most_passes).
   int most_response_passes{kUnlimitedPasses};
-  /// Of node pairs along the ways of fast bodies (Tunnelling::kStopAtEntry), in a step: these tests
-  /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
-  /// are refined as if capped.
+  /// Of node pairs along the ways of fast bodies (Tunnelling::kStopAtEntry), in a step: they are
+  /// part of the floor of a budget in work; one in time limits them, too. Never more; fast pairs
+  /// for which none are left are refined as if capped.
   std::int64_t most_entry_tests{kUnlimitedTests};
   std::optional<ImposedSpinRule> imposed_spin{};    ///< an imposed manipulation, not physics
   std::optional<ImposedRebound> imposed_rebound{};  ///< an imposed manipulation, not physics

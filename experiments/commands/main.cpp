@@ -11,6 +11,7 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
@@ -77,6 +78,25 @@ std::string unknown_argument(const CLI::App& command, const CLI::ParseError& err
   return error.what() + (unknown.empty() ? "" : perhaps(unknown.front(), names));
 }
 
+/// Options whose words are lists would take what stands behind them for more of the list, so usages
+/// name what has no option first.
+class PlainFormatter final : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    std::string usage = Formatter::make_usage(app, std::move(name));
+    const std::string options = " [" + get_label("OPTIONS") + "]";
+    const std::size_t at = usage.find(options + " ");
+    if (at != std::string::npos && !app->get_options(is_positional).empty()) {
+      usage.erase(at, options.size());
+      usage.insert(usage.find_last_not_of('\n') + 1, options);
+    }
+    return usage;
+  }
+
+ private:
+  static bool is_positional(const CLI::Option* option) { return option->get_positional(); }
+};
+
 /// Refuses whole numbers that the library would read by another base: 010 is 8 to it, 0x10 is 16.
 void require_decimal_numbers(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
@@ -110,6 +130,7 @@ bool told_all() {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is a failed write, not the end
   CLI::App app{"Impetus: experiments on how believable an approximated collision looks."};
+  app.formatter(std::make_shared<PlainFormatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version", impetus::version_text());
   int threads = 1;

@@ -232,8 +232,8 @@ void add_timing(CLI::App& app, Command& chosen) {
   command->add_option("--patch", options->patch, "The corner of the coded patch")
       ->capture_default_str();
   command->add_option("--gaze", options->gaze,
-                      "An eye tracker to measure in place of the mouse: pupil://HOST[:PORT] or "
-                      "gazepoint://HOST[:PORT]");
+                      "An eye tracker to measure in place of the mouse: pupil://HOST[:PORT], "
+                      "gazepoint://HOST[:PORT] or lsl://STREAM");
   command->add_option("--markers", options->markers,
                       "Where to send markers, and measure how soon: serial:///dev/PORT or "
                       "tcp://HOST:PORT or lsl://NAME");

@@ -3,8 +3,8 @@
 //   people in folds:   fit all but one fold ─> the logarithm of the fold's probability   for each
 //
 // With one person the folds are of trials. One of the observers goes by nothing that was shown: to
-// be chosen is to foretell better than it, by more than chance does (twice the standard error of
-// the difference over folds).
+// be chosen is to foretell better than it, by more than chance may: by 1, and by Student's t
+// (97.5 %) times the standard error of the difference over people, or over one person's trials.
 // SPDX-License-Identifier: MIT
 #pragma once
 

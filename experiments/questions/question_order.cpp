@@ -40,7 +40,7 @@ Row<Script> question_order_row() {
       "question_order", &Script::question_order, Kind<QuestionOrder>{{schema}, read_order},
       "Of the questions after the stimulus: all of them by their keys (yes_no, rating, ...) in "
       "the order in which they are asked, or random: drawn for each trial. Rating, yes_no, "
-      "two_interval, free_text when left out.");
+      "two_interval, choice, slider, free_text when left out.");
 }
 
 void check_question_order(const JsonDocument& protocol, const Script& script) {

@@ -209,7 +209,7 @@ struct QuestionRecord {
   std::string answer;  ///< "" when left empty
 };
 
-/// A remark. `kind`: "pause", "continue", "quit", "display closed", "break".
+/// A remark. `kind`: such as "pause", "continue", "quit", "display closed", "break".
 struct NoteRecord {
   std::string kind;
   std::string text;

@@ -144,7 +144,9 @@ Kind<BudgetSettings> budget_kind() {
   using B = BudgetSettings;
   const Names<WorkCosts> counts{{"tests", WorkCosts{}}, {"all-phases", kAllPhases}};
   return object<B>(
-      "How much a step may do beyond the coarsest level of every pair; unlimited when left out.",
+      "How much a step may do: units of work beyond the coarsest level of every pair, or "
+      "milliseconds "
+      "for all of it; unlimited when left out.",
       {row("counts", &B::counts, choice(counts),
            "What is work. tests, when left out: node-pair tests, each one unit. all-phases: tests, "
            "contacts modelled and contacts responded to, in units of the test of two spheres "
@@ -215,7 +217,8 @@ RowList<EngineSettings> rows_of_contacts() {
           .with("tunnelling", "ignored, capped, stop-at-entry"),
       row("most_entry_tests", &E::world, &W::most_entry_tests, whole<std::int64_t>({0, kBillion}),
           "Where fast bodies stop at entry: node pairs that are tested along their ways in a step, "
-          "at most, since no budget limits them. Fast pairs for which none are left stay at levels "
+          "at most: a budget in units does not limit them, one in milliseconds does. Fast pairs "
+          "for which none are left stay at levels "
           "whose nodes are thicker than the way. Without limit when left out."),
       row("response", &E::world, &W::response,
           choice<ResponseMethod>(

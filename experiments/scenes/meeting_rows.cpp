@@ -18,7 +18,8 @@ Kind<RandomSpin> random_spin_kind() {
       {required("on", &R::on, flag(), "false: nothing is added."),
        required("at_level", &R::at_level, level_kind(),
                 "Only collisions handled at this level get it."),
-       required("a", &R::a, limits, "Of the first body."), required("b", &R::b, limits)});
+       required("a", &R::a, limits, "Of the first body."),
+       required("b", &R::b, limits, "Of the second body.")});
 }
 
 Kind<ReboundSettings> rebound_kind() {

@@ -131,7 +131,7 @@ CREATE TABLE attempt (
   onset_ns INTEGER NOT NULL,          -- flip of the first frame of the stimulus; 0: never shown
   intended_hold_ms REAL NOT NULL,     -- freeze that the condition asks for
   realised_hold_ms REAL NOT NULL,     -- differs only when rounding was allowed
-  timed_frames INTEGER NOT NULL,      -- frames of the stimulus
+  timed_frames INTEGER NOT NULL,      -- frames of fixation and stimulus
   late_timed_frames INTEGER NOT NULL, -- of these, shown late
   late_untimed_frames INTEGER NOT NULL,  -- late, on the question and in the interval
   sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),

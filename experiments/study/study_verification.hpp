@@ -2,7 +2,7 @@
 // everything where it comes from.
 //
 //   file ─> schema ─> values ─> protocols ─> plans ─> order ─> recordings ─> answers ─> provenance
-//   (─> replay)
+//   ─> screens (─> replay)
 //
 // A damaged file is looked at no further.
 // SPDX-License-Identifier: MIT

@@ -24,7 +24,7 @@ struct TradeRow {
   std::optional<int> level{};
   std::string reduction;  ///< of contacts: reduction_names()
   std::string scheduler;
-  std::string traversal;                 ///< "depth-first", "breadth-first", "best-first"
+  std::string traversal;                 ///< as in a scene: "depth-first", ...
   std::string phase;                     ///< of a step, that is cut: kCutPhases
   std::optional<std::int64_t> budget{};  ///< units of work a step; absent: unlimited
   std::string measure;                   ///< such as "normal_error"

@@ -306,7 +306,7 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option("--db", options->database, "Study file; made when it does not exist")
       ->capture_default_str();
   command->add_option("--participant", options->participant,
-                      "Code of the participant; the same code resumes");
+                      "Code of the participant, such as P01; the same code resumes");
   command->add_option("--seed", options->seed, "Seed of the order (default 1)")
       ->check(CLI::Range(std::uint64_t{0}, kLargestSeed));
   command->add_option("--observer", options->observers,
