@@ -111,7 +111,7 @@ Standing standing_of(const json& said, const Plan& plan, const Protocol& protoco
     throw std::runtime_error("this study was left too long ago to go on with it");
   }
   Standing standing = standing_from(said.at("standing"), plan, protocol.design);
-  resume(rule, standing.plan, standing.history);
+  resume(protocol.script, standing.plan, standing.history);
   return standing;
 }
 

@@ -127,6 +127,7 @@ void take_out_what_was_typed(SQLite::Database& study) {
       "UPDATE note SET text = ''; "
       "UPDATE exclusion SET reason = 'not told'; "
       "UPDATE session SET machine = 'not told'; "
+      "UPDATE session SET page_name = 'not told', page_key = NULL WHERE page_name IS NOT NULL; "
       "UPDATE participant SET merged_file_id = NULL; DELETE FROM merged_file;");
 }
 

@@ -8,12 +8,14 @@
 namespace impetus::inline gaze {
 namespace {
 
-/// Whether the sample after the one used was lost by the time of the step.
+/// Whether the sample after the one used was lost by the time of the step, and not just the mark
+/// that there are none.
 bool eye_was_lost(const GazeInput& gaze, const std::vector<GazeSample>& samples) {
   const auto next = std::upper_bound(
       samples.begin(), samples.end(), gaze.taken_ns,
       [](std::int64_t taken_ns, const GazeSample& sample) { return taken_ns < sample.taken_ns; });
   return next != samples.end() && next->loss != GazeLoss::kNone &&
+         next->taken_ns > gaze.taken_ns + kSilentAfter_ns &&
          next->taken_ns <= gaze.taken_ns + gaze.age_ns;
 }
 

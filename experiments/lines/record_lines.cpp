@@ -19,9 +19,12 @@ namespace {
 
 using nlohmann::json;
 
+/// Lists are not shown: whoever sends them decides how deep they are.
 [[noreturn]] void refuse_value(const std::string& expected, const json& got) {
-  throw std::runtime_error("expected " + expected + ", got " +
-                           got.dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 100));
+  const std::string shown =
+      got.is_structured() ? std::string("an ") + got.type_name()
+                          : got.dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 100);
+  throw std::runtime_error("expected " + expected + ", got " + shown);
 }
 
 /// What a line's "kind" says, in the order of AnyRecord.

@@ -77,7 +77,12 @@ class SliderQuestion final : public Question {
         }
       }
     }
-    for (const Condition& condition : cells(design)) {
+    std::vector<Condition> shown = cells(design);
+    shown.insert(shown.end(), design.practice.begin(), design.practice.end());
+    for (const CatchTrials& trials : design.catch_trials) {
+      shown.push_back(trials.condition);
+    }
+    for (const Condition& condition : shown) {
       if (scale_for(condition) == nullptr) {
         refuse(protocol, "/slider/scales",
                "expected a scale for every condition, got none for " + to_json(condition).dump());

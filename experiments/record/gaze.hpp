@@ -32,6 +32,10 @@ struct Picture;
 /// Why a sample has no place.
 enum class GazeLoss { kNone, kBlink, kOffScreen, kLost };
 
+/// So soon after a sample comes the one that marks, as lost, that nothing more was heard of the
+/// tracker: sooner than any tracker can tell two samples apart.
+inline constexpr std::int64_t kSilentAfter_ns = 1;
+
 /// Where the participant looked at one moment.
 struct GazeSample {
   std::int64_t taken_ns{0};  ///< of the session's clock

@@ -28,9 +28,9 @@ std::set<std::int64_t> done_of_block(const Plan& plan, const SessionHistory& his
 
 }  // namespace
 
-Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& history) {
+Resumption resume(const Script& script, const Plan& plan, SessionHistory& history) {
   Resumption resumption;
-  if (rule.at == ResumeRule::At::kBlock) {
+  if (script.resume.at == ResumeRule::At::kBlock) {
     if (const auto block = begun_block(plan, history)) {
       resumption.set_aside = done_of_block(plan, history, *block);
     }
@@ -38,8 +38,31 @@ Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& hist
       history.completed_slots.erase(slot);
     }
   }
-  resumption.first_slot = SessionStanding(plan, history).next_slot();
+  SessionStanding standing(plan, history);
+  go_on_with_practice(script, standing);
+  resumption.first_slot = standing.next_slot();
   return resumption;
+}
+
+void go_on_with_practice(const Script& script, SessionStanding& standing) {
+  const bool trained =
+      script.training_rule && is_trained(*script.training_rule, standing.practice_results(0));
+  const auto is_understood = [&](std::int64_t round) {
+    return !script.training_rule &&
+           (!script.practice_rule ||
+            missing_in_practice(*script.practice_rule, script, standing.practice_results(round))
+                .empty());
+  };
+  for (std::int64_t round = 1; !trained && round <= standing.last_round(); ++round) {
+    standing.begin_round(round);
+    if (!standing.trials_of(TrialPhase::kPractice, round).waiting.empty()) {
+      return;
+    }
+    if (is_understood(round)) {
+      break;
+    }
+  }
+  standing.end_practice();
 }
 
 }  // namespace impetus::inline session

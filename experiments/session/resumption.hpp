@@ -21,8 +21,12 @@ struct Resumption {
   std::set<std::int64_t> set_aside{};        ///< slots done before that are to be shown again
 };
 
-/// What is left of a history to go on from: the slots that the rule sets aside are no longer done
-/// in it. Practice is never set aside.
-Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& history);
+/// What is left of a history to go on from: the slots that the script's rule sets aside are no
+/// longer done in it. Practice is never set aside.
+Resumption resume(const Script& script, const Plan& plan, SessionHistory& history);
+
+/// Practice goes on with the first round that is not done, or was not understood: in training, with
+/// the first that has a trial left. Where it suffices already, it is over.
+void go_on_with_practice(const Script& script, SessionStanding& standing);
 
 }  // namespace impetus::inline session

@@ -169,6 +169,7 @@ class Session {
         talk_(ports.input, ports.recorder, standing_),
         sitting_{script, design, ports_, standing_, talk_, calibration_},
         trials_(sitting_, levels_after(history, plan, design)) {
+    go_on_with_practice(script, standing_);
     if (script.gaze && script.gaze->calibration && ports.gaze != nullptr && !plan.empty()) {
       calibration_.emplace(*script.gaze->calibration, plan.front().seed, ports_, talk_, standing_);
     }

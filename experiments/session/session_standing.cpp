@@ -55,7 +55,7 @@ bool SessionStanding::is_block_done(std::int64_t block) const {
 }
 
 std::optional<std::int64_t> SessionStanding::next_slot() const {
-  if (!main_has_begun()) {
+  if (round_ > 0 && !main_has_begun()) {
     const PhaseTrials practice = trials_of(TrialPhase::kPractice, round_);
     if (!practice.waiting.empty()) {
       return practice.waiting.front()->slot;

@@ -63,7 +63,8 @@ class SessionStanding {
 
   [[nodiscard]] bool main_has_begun() const;
   [[nodiscard]] bool is_block_done(std::int64_t block) const;  ///< of main trials
-  /// The next trial that is not done: of practice until main trials have begun; none: all are.
+  /// The next trial that is not done: of the present round of practice, until practice has ended or
+  /// main trials have begun; none: all are.
   [[nodiscard]] std::optional<std::int64_t> next_slot() const;
   [[nodiscard]] std::int64_t last_round() const;  ///< of practice that is planned; 0: none
   [[nodiscard]] std::int64_t attempts_before(std::int64_t slot) const;
@@ -84,7 +85,7 @@ class SessionStanding {
   bool light_pages_;
   std::set<std::int64_t> newly_completed_;
   std::map<std::int64_t, PracticeResult> practice_;  ///< by slot
-  std::int64_t round_{1};
+  std::int64_t round_{1};                            ///< 0: practice has ended
 };
 
 }  // namespace impetus::inline session

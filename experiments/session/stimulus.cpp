@@ -107,15 +107,19 @@ bool Stimulus::show_scene() {
     Picture picture = with_pointer(live_.poses_at(time_s), time_s);
     picture.patch_code = patch_code(frame);
     last_frame = std::max(frame, last_frame_of(live_));
-    if (!show_timed(picture, FramePhase::kStimulus, time_s)) {
-      take_simulation(frame);
+    const bool goes_on = show_timed(picture, FramePhase::kStimulus, time_s);
+    const bool was_shown = interruption_ != Interruption::kDisplayClosed;
+    if (frame == 0 && was_shown) {
+      record_.onset_ns = record_.frames.back().flip.flipped_ns;
+    }
+    if (!goes_on) {
+      take_simulation(was_shown ? frame : frame - 1);
       return false;
     }
     mark_frame(frame, last_frame);
     sound(frame);
     take_clicks();
     if (frame == 0) {
-      record_.onset_ns = record_.frames.back().flip.flipped_ns;
       record_.clicks.clear();  // made before there was anything to see
     }
     if (ends_with_click(script_) && !record_.clicks.empty() && last_frame != frame) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,7 +60,7 @@ class StimulusSounds {
   std::size_t planned_contacts_{0};  ///< of those that have come
   double first_impulse_Ns_{0.0};
   std::vector<Planned> planned_;
-  std::int64_t last_frame_{0};
+  std::int64_t last_frame_{std::numeric_limits<std::int64_t>::min()};  ///< flipped; at first none
 };
 
 }  // namespace impetus::inline session

@@ -28,10 +28,9 @@ std::optional<EarlierSessions> earlier_sessions(StudyFile& study, const Protocol
   }
   EarlierSessions earlier{std::move(*found)};
   if (earlier.enrolment.history.resumed) {
-    const ResumeRule& rule = protocol.script.resume;
     const Plan plan = planned(earlier.enrolment.trials, protocol.design);
-    earlier.resumed =
-        ResumedSession{rule.at, std::nullopt, resume(rule, plan, earlier.enrolment.history)};
+    earlier.resumed = ResumedSession{protocol.script.resume.at, std::nullopt,
+                                     resume(protocol.script, plan, earlier.enrolment.history)};
   }
   return earlier;
 }

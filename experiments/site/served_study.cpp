@@ -40,9 +40,12 @@ PostedPart posted_part_from(const json& body) {
     return found->get<std::string>();
   };
   const std::string file = text_of("filename");
+  constexpr std::size_t kLongestName = 255;  // the expression goes as deep as its text is long
   std::smatch words;
-  if (!std::regex_match(file, words, wanted)) {
-    throw InputError("filename: expected CODE_TIME_0001.jsonl, got " + json(file).dump());
+  if (file.size() > kLongestName || !std::regex_match(file, words, wanted)) {
+    throw InputError(
+        "filename: expected CODE_TIME_0001.jsonl, got " +
+        json(file.substr(0, kLongestName)).dump(-1, ' ', false, json::error_handler_t::replace));
   }
   constexpr std::size_t kLeastKey = 16;
   PostedPart part{words[1].str(), std::stoll(words[2].str()), text_of("data"), text_of("key")};

@@ -67,6 +67,9 @@ std::int64_t insert_session(SQLite::Database& database, std::int64_t enrolment_i
   const auto at_block = [](const ResumedSession& resumed) {
     return std::string(resumed.at == ResumeRule::At::kBlock ? "block" : "trial");
   };
+  const auto measured = [&](double interval_ns) {
+    return facts.sync.valid_flips > 0 ? std::optional(interval_ns) : std::nullopt;
+  };
   const std::int64_t id = insert_row(
       database, "session",
       {{"enrolment_id", enrolment_id},
@@ -90,8 +93,8 @@ std::int64_t insert_session(SQLite::Database& database, std::int64_t enrolment_i
        {"rounding_allowed", facts.rounding_allowed},
        {"sync_tries", facts.sync.tries},
        {"sync_valid_flips", facts.sync.valid_flips},
-       {"sync_mean_interval_ns", facts.sync.mean_interval_ns},
-       {"sync_sd_interval_ns", facts.sync.sd_interval_ns},
+       {"sync_mean_interval_ns", measured(facts.sync.mean_interval_ns)},
+       {"sync_sd_interval_ns", measured(facts.sync.sd_interval_ns)},
        {"sync_passed", facts.sync.passed},
        {"sync_overridden", facts.sync_overridden},
        {"series", text_or_null(facts.series)},

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
@@ -72,6 +73,13 @@ std::vector<YokeSource> yoke_sources(StudyFile& study, const YokePartner& partne
 
 GazePath load_gaze_path(StudyFile& study, std::int64_t trial_id) {
   GazePath path;
+  if (load_value<bool>(study.database(),
+                       "SELECT 1 FROM step JOIN attempt ON attempt.id = attempt_id "
+                       "WHERE trial_id = ? AND outcome = 'completed' AND interval = 2 LIMIT 1",
+                       trial_id)) {
+    throw InputError(study.name() + ": trial " + std::to_string(trial_id) +
+                     ": expected a trial of one stimulus to follow, got one of two");
+  }
   for (const auto& [distance_m, x_m, y_m] : load_rows<double, std::optional<double>, double>(
            study.database(),
            "SELECT viewing_distance_m, fixation_x_m, fixation_y_m FROM attempt "

@@ -128,13 +128,9 @@ struct ShownInterval {
 
 /// Steps a second under a condition.
 double step_hz(const Protocol& protocol, const Condition& condition) {
-  constexpr const char* kPointer = "/engine/step_hz";
-  for (const FactorLevel& level : condition) {
-    if (find_factor(protocol.design, level.factor)->pointer == kPointer) {
-      return std::get<double>(level.value);
-    }
-  }
-  return protocol.scene.value.at(nlohmann::json::json_pointer(kPointer)).get<double>();
+  return scene_under(protocol, condition)
+      .at(nlohmann::json::json_pointer("/engine/step_hz"))
+      .get<double>();
 }
 
 /// As LiveRun steps: to the step that the last frame falls on, or the next.

@@ -20,7 +20,7 @@ SELECT place || ': trials were recorded though the sync test had failed and was 
     sitting.id);
 
 SELECT place || ': the sync test''s measurement is missing' FROM sitting
-  WHERE sync_tries > 0 AND sync_mean_interval_ns IS NULL;
+  WHERE sync_valid_flips > 0 AND sync_mean_interval_ns IS NULL;
 
 SELECT shown.place || ': marked otherwise than its session for an overridden sync test'
   FROM shown JOIN session ON session.id = session_id

@@ -50,7 +50,7 @@ std::optional<ResumedSession> take_up(StudyFile& study, const Protocol& protocol
   }
   require_young(study, protocol, participant, *age_s);
   const ResumeRule& rule = protocol.script.resume;
-  return ResumedSession{rule.at, age_s, resume(rule, plan, enrolment.history)};
+  return ResumedSession{rule.at, age_s, resume(protocol.script, plan, enrolment.history)};
 }
 
 }  // namespace impetus::inline study

@@ -92,7 +92,8 @@ void Tracker::keep_silence() {
   silent_ = true;
   const std::lock_guard lock(mutex_);
   // Just after the last: what was only delayed on its way may still follow in order.
-  queue_.push_back({++last_taken_ns_, 0.0, 0.0, GazeLoss::kLost});
+  last_taken_ns_ += kSilentAfter_ns;
+  queue_.push_back({last_taken_ns_, 0.0, 0.0, GazeLoss::kLost});
   ++silences_;
 }
 

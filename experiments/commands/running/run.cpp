@@ -32,6 +32,7 @@
 #include "experiments/store/study_file.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
+#include "experiments/study/taking_up.hpp"
 #include "experiments/trackers/tracker_kinds.hpp"
 
 namespace impetus::inline commands {
@@ -75,10 +76,14 @@ RunOptions as_nobody(RunOptions options) {
 /// Runs the trials that are left, with a line of progress. `options` are
 /// as_nobody()'s. Returns the session that was saved. Throws what the recorder throws.
 std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study) {
-  const std::optional<Enrolment> resumed = find_to_resume(study, part, options);
+  std::optional<Enrolment> known = find_to_resume(study, part, options);
+  SessionFacts facts = facts_without_laboratory(options.screen_file);
+  if (known) {
+    facts.resumed = take_up(study, part.protocol, options.participant,
+                            planned(known->trials, part.protocol.design), *known);
+  }
   const Enrolment enrolment =
-      resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
-  const SessionFacts facts = facts_without_laboratory(options.screen_file);
+      known ? std::move(*known) : enrol_anew(study, part, options, new_plan(study, part, options));
   StudyWriter writer(study, enrolment, facts);
   const ProtocolScenes scenes(part.protocol, 0.0);
   ProgressLine line("simulating");

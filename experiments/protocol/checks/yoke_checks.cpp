@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "experiments/questions/two_interval.hpp"
+
 namespace impetus::inline protocol {
 namespace {
 
@@ -70,6 +72,11 @@ void check_yoking(const Protocol& protocol) {
   }
   if (protocol.script.gaze && protocol.script.gaze->yoked_to) {
     check_factor(protocol);
+    if (find_two_interval(protocol.script) != nullptr) {
+      refuse(
+          protocol.document, "/two_interval",
+          "expected trials of one stimulus where /gaze/yoked_to follows a gaze, got trials of two");
+    }
     return;
   }
   const Factor* factor = kind_factor(protocol);

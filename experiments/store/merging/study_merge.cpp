@@ -65,7 +65,8 @@ void bind(SQLite::Statement& insert, int index, const SQLite::Column& value) {
   } else if (value.isText()) {
     insert.bind(index, value.getString());
   } else if (value.isBlob()) {
-    insert.bind(index, value.getBlob(), value.getBytes());
+    const int bytes = value.getBytes();  // of none there is no address, and NULL would be bound
+    insert.bind(index, bytes > 0 ? value.getBlob() : "", bytes);
   }
 }
 

@@ -50,6 +50,16 @@ double p95_of(const Countdown& shown) {
   return gaze_latency_p95_ms(shown.steps, shown.frames, shown.samples).value();
 }
 
+TEST(GazeLatency, SilenceOfATrackerIsLatencyWhatItsMarkSays) {
+  Countdown shown(1);
+  shown.steps.front() = step_at(1300, 1000, 0);
+  shown.frames.front() = flipped_at(1310);
+  shown.samples.push_back(blink_at(1001));
+  EXPECT_EQ(gaze_latencies_ms(shown.steps, shown.frames, shown.samples), std::vector<double>{});
+  shown.samples.back().taken_ns = 1000 * kMs + kSilentAfter_ns;
+  EXPECT_EQ(p95_of(shown), 310.0);
+}
+
 TEST(GazeLatency, The95thPercentileIsTheNearestRank) {
   // rank ⌈.95 n⌉: of 1, the 1st; of 10, ⌈9.5⌉; of 20, 19; of 21, ⌈19.95⌉; of 100, 95.
   EXPECT_EQ(p95_of(Countdown(1)), 1.0);

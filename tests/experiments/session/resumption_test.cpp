@@ -9,8 +9,13 @@
 
 namespace impetus::resumption_test {
 
-constexpr ResumeRule kAtTrial{};
-constexpr ResumeRule kAtBlock{ResumeRule::At::kBlock, 0.0};
+Script at_trial() { return {}; }
+
+Script at_block() {
+  Script script;
+  script.resume.at = ResumeRule::At::kBlock;
+  return script;
+}
 
 /// One of practice, slot 1, then blocks of three: slots 2 to 4, 5 to 7.
 Plan two_blocks_of_three() {
@@ -35,7 +40,7 @@ using Slots = std::set<std::int64_t>;
 
 TEST(Resumption, AtTheNextTrialNothingIsSetAside) {
   SessionHistory history = done_until(6);
-  const Resumption resumption = resume(kAtTrial, two_blocks_of_three(), history);
+  const Resumption resumption = resume(at_trial(), two_blocks_of_three(), history);
   EXPECT_EQ(resumption.first_slot, 7);
   EXPECT_EQ(resumption.set_aside, Slots{});
   EXPECT_EQ(history.completed_slots, done_until(6).completed_slots);
@@ -43,7 +48,7 @@ TEST(Resumption, AtTheNextTrialNothingIsSetAside) {
 
 TEST(Resumption, AtTheBlocksStartItsDoneTrialsAreShownAgain) {
   SessionHistory history = done_until(6);
-  const Resumption resumption = resume(kAtBlock, two_blocks_of_three(), history);
+  const Resumption resumption = resume(at_block(), two_blocks_of_three(), history);
   EXPECT_EQ(resumption.first_slot, 5);
   EXPECT_EQ(resumption.set_aside, (Slots{5, 6}));
   EXPECT_EQ(history.completed_slots, (Slots{1, 2, 3, 4}));
@@ -53,10 +58,41 @@ TEST(Resumption, AtTheBlocksStartItsDoneTrialsAreShownAgain) {
 TEST(Resumption, BetweenBlocksInPracticeAndAtTheEndNothingIsSetAside) {
   for (const std::int64_t done : {0, 1, 4, 7}) {
     SessionHistory history = done_until(done);
-    const Resumption resumption = resume(kAtBlock, two_blocks_of_three(), history);
+    const Resumption resumption = resume(at_block(), two_blocks_of_three(), history);
     EXPECT_EQ(resumption.set_aside, Slots{});
     EXPECT_EQ(resumption.first_slot, done == 7 ? std::nullopt : std::optional(done + 1));
   }
+}
+
+/// Rounds of two practice trials, then a main one: slots 1 to 6, and 7.
+Plan three_rounds_of_two() {
+  Plan plan;
+  for (std::int64_t slot = 1; slot <= 6; ++slot) {
+    plan.push_back({slot, TrialPhase::kPractice, (slot + 1) / 2, {}, 1});
+  }
+  plan.push_back({7, TrialPhase::kMain, 1, {}, 1});
+  return plan;
+}
+
+/// The first trial of who was right in these practice trials, the first ones.
+std::optional<std::int64_t> first_after(const Script& script, const std::vector<bool>& right) {
+  SessionHistory history = done_until(static_cast<std::int64_t>(right.size()));
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    history.practice[static_cast<std::int64_t>(i) + 1].right = right[i];
+  }
+  return resume(script, three_rounds_of_two(), history).first_slot;
+}
+
+TEST(Resumption, PracticeGoesOnWhereItWasLeftUntilItSuffices) {
+  Script trains;
+  trains.training_rule = TrainingRule{2, 2, 6};
+  EXPECT_EQ(first_after(trains, {false}), 2);
+  EXPECT_EQ(first_after(trains, {false, false}), 3);  // another round
+  EXPECT_EQ(first_after(trains, {false, true, false}), 4);
+  EXPECT_EQ(first_after(trains, {false, true, true}), 7);                      // trained
+  EXPECT_EQ(first_after(trains, {true, false, true, false, true, false}), 7);  // none is left
+  EXPECT_EQ(first_after(Script(), {true}), 2);
+  EXPECT_EQ(first_after(Script(), {false, false}), 7);  // nobody asks
 }
 
 /// The shipped protocol in blocks of one delay, resumed as said.
