@@ -19,11 +19,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Lists are not shown: whoever sends them decides how deep they are.
+/// Lists of lists are not shown: whoever sends them decides how deep they are.
 [[noreturn]] void refuse_value(const std::string& expected, const json& got) {
+  const bool is_deep =
+      got.is_structured() &&
+      std::any_of(got.begin(), got.end(), [](const json& each) { return each.is_structured(); });
   const std::string shown =
-      got.is_structured() ? std::string("an ") + got.type_name()
-                          : got.dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 100);
+      is_deep ? std::string("an ") + got.type_name()
+              : got.dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 100);
   throw std::runtime_error("expected " + expected + ", got " + shown);
 }
 

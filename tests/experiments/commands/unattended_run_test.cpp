@@ -80,6 +80,23 @@ TEST(UnattendedRun, IsBeforeTheScreenOfTheFileThatIsGiven) {
             "0.6 1807 1");
 }
 
+TEST(UnattendedRun, ASecondSessionSaysThatItGoesOnAndTheStudyMerges) {
+  const ShortDistribution study;
+  ASSERT_EQ(study.run({}).status, 0);
+  SQLite::Database((study.folder / "a.sqlite").string(), SQLite::OPEN_READWRITE)
+      .exec(
+          "DELETE FROM step WHERE attempt_id = 2; DELETE FROM collision WHERE attempt_id = 2; "
+          "DELETE FROM attempt WHERE id = 2; UPDATE enrolment SET finished_utc = NULL");
+  ASSERT_EQ(study.run({}).status, 0);
+  EXPECT_EQ(study.asked("SELECT count(first_slot) || resumed_at || first_slot FROM session WHERE "
+                        "id = 2"),
+            "1trial2");
+  const ProgramResult merged =
+      run_program(study.folder, {"merge", "a.sqlite", "--into", "all.sqlite"});
+  EXPECT_EQ(merged.status, 0) << merged.errors;
+  EXPECT_EQ(run_program(study.folder, {"replay", "all.sqlite"}).status, 0);
+}
+
 TEST(UnattendedRun, RefusesParticipantsAndWritesNothing) {
   const ShortDistribution study;
   for (const std::string option : {"--participant", "--observer"}) {

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kPersonal{
     "Zebedee-7731",    "Born in Ghent 1961", "I saw a quokka",   "phoned her sister",
     "scribbled aside", "lab-pc-of-hans",     "station-b.sqlite", "1984-06",
-    "Quincy-4410"};
+    "Quincy-4410",     "key-of-the-page"};
 
 /// The whole study, with a second participant before the first, and personal words everywhere.
 fs::path planted(const TemporaryFolder& folder) {
@@ -27,7 +27,8 @@ fs::path planted(const TemporaryFolder& folder) {
       "(60, 50, 1, 1, '1984-06-03T10:00:00Z');"
       "UPDATE participant SET pseudonym = 'Quincy-4410' WHERE pseudonym = 'S01';"
       "UPDATE enrolment SET planned_utc = '1984-06-01T09:00:00.000Z' WHERE id < 60;"
-      "UPDATE session SET started_utc = '1984-06-04T09:30:00.000Z', machine = 'lab-pc-of-hans';"
+      "UPDATE session SET started_utc = '1984-06-04T09:30:00.000Z', machine = 'lab-pc-of-hans', "
+      "page_name = 'Quincy-4410_19840604T093000123Z', page_key = 'key-of-the-page', page_parts = 3;"
       "UPDATE attempt SET saved_utc = '1984-06-04T09:31:00.000Z';"
       "UPDATE study SET created_utc = '1984-06-01T08:00:00Z';"
       "UPDATE answer SET answer = 'Born in Ghent 1961';"

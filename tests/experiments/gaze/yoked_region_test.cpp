@@ -54,6 +54,13 @@ std::string yoke_refusal(const std::function<void(json& protocol, json& scene)>&
 
 TEST(YokedProtocol, RecordedRegionsAndWhoseTheyAreComeTogether) {
   EXPECT_EQ(yoke_refusal([](json&, json&) {}), "accepted");
+  EXPECT_EQ(
+      yoke_refusal([](json& protocol, json&) {
+        protocol["two_interval"] = {{"question", "Which?"},
+                                    {"standard", {{"scheduling", "tracked"}}}};
+      }),
+      "yoked.json:/two_interval: expected trials of one stimulus where /gaze/yoked_to follows "
+      "a gaze, got trials of two");
   EXPECT_EQ(yoke_refusal([](json& protocol, json&) { protocol["gaze"].erase("yoked_to"); }),
             "yoked.json:/gaze: expected the key \"yoked_to\", because regions follow a recorded "
             "gaze under \"scheduling\": \"recorded\", but it is missing");

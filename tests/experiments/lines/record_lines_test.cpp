@@ -119,6 +119,9 @@ TEST(RecordLines, WhatIsNoRecordIsRefusedInWords) {
   EXPECT_EQ(sentence_of(line),
             "clicks: expected the columns [\"device\",\"arrived_ns\",\"arrival_uncertainty_ns\","
             "\"interval\"], got [\"device\"]");
+  constexpr std::size_t kDeep = 300'000;
+  EXPECT_TRUE(sentence_of(json::parse(std::string(kDeep, '[') + std::string(kDeep, ']')))
+                  .ends_with("got an array"));
   line["clicks"] = 3;
   EXPECT_EQ(sentence_of(line), "clicks: expected a list, got 3");
 }

@@ -58,6 +58,25 @@ TEST(ResponseChecks, ASliderHasAScaleForEveryCondition) {
   scale["when"] = {{"delay_ms", 20}};
   EXPECT_EQ(asked_refusal(protocol),
             "asked.json:/slider/scales/0/when: expected a level of delay_ms, got 20");
+  scale["when"] = {{"delay_ms", 0}};
+  json of_the_other = scale;
+  of_the_other["when"] = {{"delay_ms", 300}};
+  protocol["slider"]["scales"].push_back(of_the_other);
+  EXPECT_EQ(asked_refusal(protocol), "accepted");
+  const json good = protocol;
+  const std::string none_for_150 =
+      "asked.json:/slider/scales: expected a scale for every condition, got none for "
+      "{\"delay_ms\":150}";
+  protocol["design"]["practice"][0]["delay_ms"] = 150;
+  EXPECT_EQ(asked_refusal(protocol), none_for_150);
+  protocol = good;
+  protocol["design"]["catch_trials"] = {{{"condition", {{"delay_ms", 150}}}, {"count", 1}}};
+  EXPECT_EQ(asked_refusal(protocol), none_for_150);
+}
+
+TEST(ResponseChecks, ASlidersScaleHasItsEndsInOrder) {
+  json protocol = asked_protocol({kAskSlider});
+  json& scale = protocol["slider"]["scales"][0];
   scale["when"] = {{"gap", 0}};
   EXPECT_EQ(asked_refusal(protocol),
             "asked.json:/slider/scales/0/when: expected the name of a factor, got \"gap\"");

@@ -262,6 +262,27 @@ TEST(Session, AClosedDisplayEndsItWithTheAttemptKept) {
   EXPECT_EQ(result.ending, SessionEnding::kDisplayClosed);
   ASSERT_EQ(lab.recorder.attempts.size(), 1U);
   EXPECT_EQ(lab.recorder.notes.back().kind, "display closed");
+  const AttemptRecord& kept = lab.recorder.attempts.front();
+  std::int64_t last_shown = -1;
+  for (const StepRecord& step : kept.steps) {
+    last_shown = std::max(last_shown, step.shown_frame);
+  }
+  EXPECT_EQ(last_shown, kept.frames.back().frame) << "the frame that closed it was shown to nobody";
+}
+
+TEST(Session, APauseOnTheFirstFrameOfAStimulusHasShownIt) {
+  TestLab lab;
+  bool asked = false;
+  lab.input.on_frame = [&](std::int64_t /*frame*/) {
+    const bool at_first = !asked && !lab.display.pictures.back().bodies.empty();
+    asked = asked || at_first;
+    return at_first ? Interruption::kPauseRequested : Interruption::kNone;
+  };
+  run(lab, short_plan(lab.protocol, 1));
+  const AttemptRecord& paused = lab.recorder.attempts.front();
+  EXPECT_EQ(paused.interrupted_by, "pause");
+  EXPECT_EQ(paused.frames.back().phase, FramePhase::kStimulus);
+  EXPECT_EQ(paused.onset_ns, paused.frames.back().flip.flipped_ns);
 }
 
 TEST(Session, ProgressIsVisibleOnPagesAndBetweenTrialsAndOffStimuli) {

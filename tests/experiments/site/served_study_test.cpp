@@ -236,6 +236,8 @@ TEST(PostedPart, WhatIsNoneIsRefusedByItsField) {
   bad["filename"] = "../P01_2026_0001.jsonl";
   EXPECT_EQ(refusal(bad),
             "filename: expected CODE_TIME_0001.jsonl, got \"../P01_2026_0001.jsonl\"");
+  bad["filename"] = std::string(200'000, 'P') + "_2026_0001.jsonl";
+  EXPECT_EQ(refusal(bad).find("filename: expected CODE_TIME_0001.jsonl, got \"PPP"), 0U);
   bad = good;
   bad["key"] = "short";
   EXPECT_EQ(refusal(bad), "key: expected 16 to 100 letters, got 5");

@@ -206,6 +206,18 @@ TEST(Verify, AChangedStepIsFoundByItsReplay) {
             "100, in the hash alone");
 }
 
+TEST(Verify, AFactorMaySetHowOftenTheEngineSteps) {
+  json changed = small_protocol().document.value;
+  json& design = changed["design"];
+  design["factors"][2] = json::parse(
+      R"({"name": "rate", "levels": ["fast"], "sets": {"fast": {"/engine/step_hz": 480}}})");
+  design["practice"][0].erase("viewpoint_deg");
+  design["practice"][0]["rate"] = "fast";
+  const TemporaryFolder folder;
+  const Protocol protocol = make_protocol(parse_json("a.json", changed.dump()), causality().scene);
+  EXPECT_EQ(first_failure(small_study(folder / "a.sqlite", {"P01"}, protocol)), "none");
+}
+
 TEST(Verify, ADamagedFileIsNamedAndLookedAtNoFurther) {
   const VerifiedStudy study;
   const std::string whole = text_of(study.copy());
