@@ -157,7 +157,7 @@ Page frames_were_late(std::int64_t late, std::int64_t frames, double slower_shar
                       const SessionProgress& progress) {
   const Language& language = progress.language;
   const std::string percent = printed("%.2g", 100.0 * slower_share);
-  const std::string share = language.text("percent", {{"number", language.number(percent.data())}});
+  const std::string share = language.text("percent", {{"number", language.number(percent)}});
   return experimenter_decides({language.text("call_experimenter"),
                                {language.text("frames_late", {{"late", std::to_string(late)},
                                                               {"frames", std::to_string(frames)},

@@ -33,7 +33,7 @@ std::string printable(const std::string& text) {
       if (byte >= 0x80U) {
         shown.pop_back();  // its first half
       }
-      shown += code.data();
+      shown += code;
     } else {
       shown += text[at];
     }
