@@ -21,9 +21,14 @@ struct RoundedTo {
 
 RoundedTo rounded_to(const Mark& mark) {
   constexpr double kBeyond = std::numeric_limits<double>::infinity();
-  const double from = mark.value - 0.5 * mark.grain;
-  const double to = mark.value + 0.5 * mark.grain;
-  return {from < mark.least ? -kBeyond : from, to > mark.most ? kBeyond : to};
+  RoundedTo range{mark.value - 0.5 * mark.grain, mark.value + 0.5 * mark.grain};
+  if (range.from < mark.least) {
+    range.from = -kBeyond;
+  }
+  if (range.to > mark.most) {
+    range.to = kBeyond;
+  }
+  return range;
 }
 
 }  // namespace
