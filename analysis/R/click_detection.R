@@ -14,10 +14,13 @@ kGainWords <- c(bad = "gain of bad collisions", good = "gain of good collisions"
   difference = "gain of bad − good collisions")
 kGainUnit <- "clicks per collision"
 
-# Adds study$clicks: the time of each click, by the row of its trial.
+# Adds study$clicks: the time of each click, by the row of its trial; and study$two_intervals: have
+# trials two stimuli? Times are of each one's own.
 with_click_times <- function(study) {
   study$clicks <- rows_of_trials(study,
     "SELECT trial, CAST(time_s AS REAL) AS time_s FROM trial_click")
+  study$two_intervals <- nrow(rows_of_trials(study, "SELECT trial FROM trial_response",
+    "AND kind = 'two_interval'")) > 0
   study
 }
 
@@ -61,6 +64,9 @@ click_detection <- function(study) {
 why_no_click_regression <- function(study, usable) {
   if (length(usable) == 0) {
     return("No trial's exposure is known, so clicks are not regressed on collisions.")
+  }
+  if (isTRUE(study$two_intervals)) {
+    return("A trial has two stimuli, so clicks are not regressed on collisions.")
   }
   if (nrow(study$clicks) == 0) {
     return("Nobody clicked, so there is nothing to regress on collisions: every gain is 0.")

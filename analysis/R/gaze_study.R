@@ -25,16 +25,22 @@ open_gaze_study <- function(study, words) {
   study$factors <- stats::setNames(nm = names(study$factors))
   study <- with_clicks(with_kinds_in_order(study))
   study <- with_events(with_click_times(with_collisions(study)))
-  # The samples of each trial counted.
+  # The samples of each stimulus counted.
   study$gaze <- rows_of_trials(study, paste(
     "SELECT trial, count(*) AS samples, sum(loss IS 'blink') AS blink,",
     "sum(loss IS 'off screen') AS off_screen, sum(loss IS 'lost') AS lost,",
-    "CAST(max(time_s) - min(time_s) AS REAL) AS span_s FROM gaze_sample"), "GROUP BY trial")
+    "CAST(max(time_s) - min(time_s) AS REAL) AS span_s FROM gaze_sample"), each_stimulus)
   # Every calibration, validation and drift check of the participants who have a trial here.
   rows <- each_row(unique(study$trials$path), query_study,
     "SELECT * FROM gaze_calibration WHERE protocol = ? ORDER BY calibration", study$protocol)
   study$calibrations <- rows[rows$participant %in% as.character(study$trials$participant), ]
   study
+}
+
+# Groups samples by stimulus; by trial in a file of before schema 13, which does not tell two apart.
+each_stimulus <- function(path) {
+  fields <- query_study(path, "SELECT name FROM pragma_table_info('gaze_sample')")$name
+  if ("interval" %in% fields) "GROUP BY trial, interval" else "GROUP BY trial"
 }
 
 with_kinds_in_order <- function(study) {
@@ -49,8 +55,8 @@ with_kinds_in_order <- function(study) {
   study
 }
 
-# Adds clicks, exposure_s and merge_within_ms to the trials. exposure_s is NA where no frame was
-# recorded; merge_within_ms where the protocol names none.
+# Adds clicks, exposure_s and merge_within_ms to the trials, of both stimuli where a trial has two.
+# exposure_s is NA where no frame was recorded; merge_within_ms where the protocol names none.
 with_clicks <- function(study) {
   rows <- rows_of_trials(study, paste(
     "SELECT trial, clicks, CAST(exposure_s AS REAL) AS exposure_s,",

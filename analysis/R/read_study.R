@@ -116,11 +116,12 @@ protocol_titles <- function(path, protocol) {
 }
 
 # The rows of "SELECT trial, ... FROM view" for the study's own trials: `row` is the number of their
-# row in study$trials, and participant, scheduling and bodies are that row's.
+# row in study$trials, and participant, scheduling and bodies are that row's. `ending`: of the query,
+# or a function that gives it for the file at a path.
 rows_of_trials <- function(study, select, ending = "") {
-  query <- paste(select, "WHERE protocol = ? AND phase = 'main'", ending)
   rows <- each_row(unique(study$trials$path), function(path) {
-    rows <- query_study(path, query, study$protocol)
+    rows <- query_study(path, paste(select, "WHERE protocol = ? AND phase = 'main'",
+      if (is.function(ending)) ending(path) else ending), study$protocol)
     mine <- which(study$trials$path == path)
     rows$row <- mine[match(rows$trial, study$trials$trial[mine])]
     rows[!is.na(rows$row), ]

@@ -8,6 +8,7 @@
 
 #include "experiments/store/embedded_migration_10_11.hpp"
 #include "experiments/store/embedded_migration_11_12.hpp"
+#include "experiments/store/embedded_migration_12_13.hpp"
 #include "experiments/store/embedded_migration_1_2.hpp"
 #include "experiments/store/embedded_migration_2_3.hpp"
 #include "experiments/store/embedded_migration_3_4.hpp"
@@ -26,9 +27,10 @@ namespace {
 
 /// From schema 1 to 2, from 2 to 3, and so on.
 constexpr const char* kMigrations[] = {
-    kMigrationFrom1To2Sql,  kMigrationFrom2To3Sql,   kMigrationFrom3To4Sql,  kMigrationFrom4To5Sql,
-    kMigrationFrom5To6Sql,  kMigrationFrom6To7Sql,   kMigrationFrom7To8Sql,  kMigrationFrom8To9Sql,
-    kMigrationFrom9To10Sql, kMigrationFrom10To11Sql, kMigrationFrom11To12Sql};
+    kMigrationFrom1To2Sql,   kMigrationFrom2To3Sql,   kMigrationFrom3To4Sql,
+    kMigrationFrom4To5Sql,   kMigrationFrom5To6Sql,   kMigrationFrom6To7Sql,
+    kMigrationFrom7To8Sql,   kMigrationFrom8To9Sql,   kMigrationFrom9To10Sql,
+    kMigrationFrom10To11Sql, kMigrationFrom11To12Sql, kMigrationFrom12To13Sql};
 static_assert(std::size(kMigrations) == kSchemaVersion - 1);
 
 /// As SQL names things: a study from elsewhere may have views of any name.

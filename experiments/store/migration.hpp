@@ -8,7 +8,7 @@
 
 namespace impetus::inline store {
 
-inline constexpr std::int64_t kSchemaVersion = 12;
+inline constexpr std::int64_t kSchemaVersion = 13;
 inline constexpr std::int64_t kOldestSchemaVersion = 1;
 
 /// Makes tables and views of the present schema in an empty database. Throws SQLite::Exception.

@@ -1,5 +1,8 @@
 -- What analysts read of a study. Tables may change with the schema version; views keep their columns
 -- and gain new ones at the end.
+--
+-- The onset of a second stimulus is looked for from the frame that shows its step 0, which a key
+-- finds, for there may be millions of samples; where no steps were kept, from the first frame on.
 
 -- One row per rated trial, practice included (phase tells).
 CREATE VIEW rated_trial AS
@@ -261,7 +264,8 @@ JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id
 LEFT JOIN collision_truth ON collision_truth.collision_id = collision.id;
 
--- One row per completed trial of a protocol that asks for clicks: how many, in which time.
+-- One row per completed trial of a protocol that asks for clicks: how many, in which time; of both
+-- stimuli where it has two.
 CREATE VIEW click_trial AS
 SELECT participant.pseudonym AS participant,
        participant.simulated AS simulated,
@@ -272,10 +276,19 @@ SELECT participant.pseudonym AS participant,
        trial.repetition AS repetition,
        trial.condition AS condition,
        (SELECT count(*) FROM click WHERE click.attempt_id = attempt.id) AS clicks,  -- all of them
-       (SELECT (min(click.arrived_ns) - attempt.onset_ns) / 1e9 FROM click
-        WHERE click.attempt_id = attempt.id) AS first_click_s,  -- of the stimulus; NULL: none
-       (SELECT max(frame.shown_time_s) FROM frame WHERE frame.attempt_id = attempt.id)
-         AS exposure_s,  -- how much of the stimulus was shown; NULL: no frame was recorded
+       (SELECT (click.arrived_ns - CASE click.interval WHEN 1 THEN attempt.onset_ns ELSE
+          (SELECT frame.flipped_ns FROM frame
+           WHERE frame.attempt_id = attempt.id AND frame.interval = click.interval
+             AND frame.phase = 'stimulus' AND frame.frame >=
+               ifnull((SELECT step.shown_frame FROM step WHERE step.attempt_id = attempt.id
+                         AND step.interval = click.interval AND step.step = 0), 0)
+           ORDER BY frame.frame LIMIT 1) END) / 1e9
+        FROM click WHERE click.attempt_id = attempt.id ORDER BY click.arrived_ns LIMIT 1)
+         AS first_click_s,  -- of the stimulus that it came in; NULL: none
+       (SELECT max(frame.shown_time_s) FILTER (WHERE frame.interval = 1)
+          + ifnull(max(frame.shown_time_s) FILTER (WHERE frame.interval = 2), 0)
+        FROM frame WHERE frame.attempt_id = attempt.id)
+         AS exposure_s,  -- how much of the stimulus was shown, or of both; NULL: no frame recorded
        json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms,  -- NULL: none
        ifnull(json_extract(protocol.protocol_json, '$.clicks.first_ends'), 0)
          AS first_ends  -- 1: the first click ended the stimulus
@@ -287,16 +300,25 @@ JOIN protocol ON protocol.id = enrolment.protocol_id
 WHERE attempt.outcome = 'completed'
   AND json_type(protocol.protocol_json, '$.clicks') IS NOT NULL;
 
--- One row per click of a completed attempt, in the stimulus's own time.
+-- One row per click of a completed attempt, in its stimulus's own time: from the flip of the first
+-- frame of the stimulus of its interval.
 CREATE VIEW trial_click AS
 SELECT participant.pseudonym AS participant,
        protocol.name AS protocol,
        trial.id AS trial,
        trial.phase AS phase,
        click.number AS number,
-       (click.arrived_ns - attempt.onset_ns) / 1e9 AS time_s,  -- of the stimulus
+       (click.arrived_ns - CASE click.interval WHEN 1 THEN attempt.onset_ns ELSE
+          (SELECT frame.flipped_ns FROM frame
+           WHERE frame.attempt_id = attempt.id AND frame.interval = click.interval
+             AND frame.phase = 'stimulus' AND frame.frame >=
+               ifnull((SELECT step.shown_frame FROM step WHERE step.attempt_id = attempt.id
+                         AND step.interval = click.interval AND step.step = 0), 0)
+           ORDER BY frame.frame LIMIT 1) END) / 1e9
+         AS time_s,  -- of the stimulus of its interval
        click.arrival_uncertainty_ns / 1e6 AS uncertainty_ms,  -- may be this much earlier
-       click.device AS device
+       click.device AS device,
+       click.interval AS interval
 FROM click
 JOIN attempt ON attempt.id = click.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -304,22 +326,30 @@ JOIN enrolment ON enrolment.id = trial.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
 
--- One row per gaze sample of a completed attempt, in the stimulus's own time: as it came, and
--- corrected by the session's last calibration before it (the same where there was none).
+-- One row per gaze sample of a completed attempt, in its stimulus's own time as a click is: as it
+-- came, and corrected by the session's last calibration before it (the same where there was none).
 CREATE VIEW gaze_sample AS
 SELECT participant.pseudonym AS participant,
        protocol.name AS protocol,
        trial.id AS trial,
        trial.phase AS phase,
        attempt.gaze_source AS gaze_source,
-       (gaze.taken_ns - attempt.onset_ns) / 1e9 AS time_s,  -- of the stimulus
+       (gaze.taken_ns - CASE gaze.interval WHEN 1 THEN attempt.onset_ns ELSE
+          (SELECT frame.flipped_ns FROM frame
+           WHERE frame.attempt_id = attempt.id AND frame.interval = gaze.interval
+             AND frame.phase = 'stimulus' AND frame.frame >=
+               ifnull((SELECT step.shown_frame FROM step WHERE step.attempt_id = attempt.id
+                         AND step.interval = gaze.interval AND step.step = 0), 0)
+           ORDER BY frame.frame LIMIT 1) END) / 1e9
+         AS time_s,  -- of the stimulus of its interval
        gaze.x_m AS x_m,
        gaze.y_m AS y_m,
        gaze.loss AS loss,
        coalesce(correction_x0_m + correction_xx * gaze.x_m + correction_xy * gaze.y_m, gaze.x_m)
          AS corrected_x_m,  -- right of the screen's centre, as a step used it
        coalesce(correction_y0_m + correction_yx * gaze.x_m + correction_yy * gaze.y_m, gaze.y_m)
-         AS corrected_y_m  -- above it
+         AS corrected_y_m,  -- above it
+       gaze.interval AS interval
 FROM gaze
 JOIN attempt ON attempt.id = gaze.attempt_id AND attempt.outcome = 'completed'
 LEFT JOIN calibration ON calibration.id =
@@ -347,7 +377,8 @@ SELECT participant.pseudonym AS participant,
        step.region_y_m AS region_y_m,
        step.region_radius_deg AS region_radius_deg,
        step.shown_frame AS shown_frame,
-       (shown.flipped_ns - step.fixation_taken_ns) / 1e6 AS sample_to_flip_ms  -- NULL: never shown
+       (shown.flipped_ns - step.fixation_taken_ns) / 1e6 AS sample_to_flip_ms,  -- NULL: never shown
+       step.interval AS interval
 FROM step
 JOIN attempt ON attempt.id = step.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -368,7 +399,8 @@ SELECT participant.pseudonym AS participant,
        step.shown_frame AS shown_frame,
        step.pops AS pops,
        step.largest_pop_deg AS largest_pop_deg,
-       step.stopped_short AS stopped_short
+       step.stopped_short AS stopped_short,
+       step.interval AS interval
 FROM step
 JOIN attempt ON attempt.id = step.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id

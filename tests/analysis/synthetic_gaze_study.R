@@ -78,14 +78,31 @@ write_gaze_study <- function(path, trials, merge_within_ms = 100, protocol = "ga
   path
 }
 
-# Adds gaze samples: rows of trial, sample, taken_ns, and loss, NA where there is a place.
+# Adds a second stimulus to each trial of the study at `path`, whose onset is at `onset_ns`: its first
+# and last frame, and which of the two was chosen.
+add_second_stimulus <- function(path, onset_ns) {
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  for (place in 0:1) {
+    DBI::dbExecute(study, "INSERT INTO frame (attempt_id, frame, phase, shown_time_s, scheduled_ns,
+      submitted_ns, flipped_ns, missed_slots, interval) SELECT id, 601 + ?1, 'stimulus', ?1 * 10, ?2,
+      ?2, ?2 + ?1 * 10000000000, 0, 2 FROM attempt", params = list(place, onset_ns))
+  }
+  DBI::dbExecute(study, "INSERT INTO response (attempt_id, number, kind, question, answer, detail,
+    device, question_shown_ns, arrived_ns, arrival_uncertainty_ns) SELECT id, 1, 'two_interval',
+    'Which?', 'first', '{}', 'simulated', 0, 1, 0 FROM attempt")
+  path
+}
+
+# Adds gaze samples: rows of trial, sample, taken_ns, and loss, NA where there is a place; interval, 1
+# where it is left out.
 add_gaze <- function(path, samples) {
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   on.exit(DBI::dbDisconnect(study))
   place <- ifelse(is.na(samples$loss), 0, NA)
   DBI::dbAppendTable(study, "gaze", data.frame(attempt_id = samples$trial,
     sample = samples$sample, taken_ns = samples$taken_ns, x_m = place, y_m = place,
-    loss = samples$loss))
+    loss = samples$loss, interval = if (is.null(samples$interval)) 1 else samples$interval))
   path
 }
 

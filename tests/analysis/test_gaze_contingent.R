@@ -115,6 +115,36 @@ test_that("without recorded frames there is no rate of clicks, and everything el
     "No frame was recorded of 24 trials, left out of the rates of clicks.", fixed = TRUE)
 })
 
+# Two trials with a second stimulus 21 s after the first, in which the eye was sampled at 100 Hz for a
+# tenth of a second, as in the first.
+two_stimuli_file <- function() {
+  trials <- gaze_trials(164, participants = 1, repetitions = 1)[1:2, ]
+  trials$clicks <- 6
+  path <- add_second_stimulus(gaze_file(trials), 21e9)
+  add_gaze(path, data.frame(trial = rep(1:2, each = 22), sample = 1:22,
+    taken_ns = c((0:10) * 1e7, 21e9 + (0:10) * 1e7), loss = NA, interval = rep(1:2, each = 11)))
+}
+
+test_that("rates of two stimuli are those of the time that both were shown", {
+  study <- read_gaze_study(two_stimuli_file())
+  expect_equal(study$trials$exposure_s, c(20, 20))
+  expect_equal(rate_of(study$trials), 6 / 20)
+  expect_equal(gaze_quality(study)$samples_per_s, 100)
+  expect_equal(click_detection(study)$words,
+    "A trial has two stimuli, so clicks are not regressed on collisions.")
+})
+
+test_that("of a file that does not tell the samples of two stimuli apart they are counted by trial", {
+  path <- two_stimuli_file()
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "CREATE TABLE sampled AS SELECT participant, protocol, trial, phase, time_s +
+    CASE interval WHEN 2 THEN 21 ELSE 0 END AS time_s, loss FROM gaze_sample")
+  DBI::dbExecute(study, "DROP VIEW gaze_sample")
+  DBI::dbExecute(study, "CREATE VIEW gaze_sample AS SELECT * FROM sampled")
+  DBI::dbDisconnect(study)
+  expect_equal(gaze_quality(read_gaze_study(path))$samples_per_s, 21 / 21.1, tolerance = 1e-6)
+})
+
 test_that("missing trials are named by participant, absent kinds by name", {
   trials <- gaze_trials(158, participants = 3)
   trials$rating[trials$participant == "P02"][1:2] <- NA

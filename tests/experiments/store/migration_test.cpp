@@ -115,7 +115,7 @@ TEST(Migration, FromSchema4EveryRowOfEveryTableStays) {
   ASSERT_EQ(value_of(original, "PRAGMA user_version"), "4");
   const std::filesystem::path path = old_study(folder, kSchema4);
   { opened(path); }
-  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "12");
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "13");
   for (const char* table : {"study", "protocol", "participant", "enrolment", "session", "trial",
                             "attempt", "step", "collision", "response", "note"}) {
     const std::string before = rows_of(original, original, table);
@@ -140,7 +140,7 @@ TEST(Migration, WritingToAnOlderStudyKeepsTheOriginalBesideIt) {
   const std::filesystem::path path = old_study(folder);
   const std::string ratings = value_of(path, "SELECT group_concat(rating) FROM rating");
   { opened(path); }
-  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "12");
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "13");
   EXPECT_EQ(value_of(path, "SELECT group_concat(rating) FROM rating"), ratings);
   const std::filesystem::path kept = folder / "old.schema-1.sqlite";
   EXPECT_EQ(value_of(kept, "PRAGMA user_version"), "1");
@@ -155,7 +155,7 @@ TEST(Migration, AFileInTheWayOfTheKeptOriginalIsNotOverwritten) {
   const std::string before = text_of(path);
   EXPECT_EQ(open_refusal(path),
             path.string() + ": expected to keep it, of schema version 1, as " + kept.string() +
-                " before it is brought to version 12, but there is such a file");
+                " before it is brought to version 13, but there is such a file");
   EXPECT_EQ(text_of(kept), "mine");
   EXPECT_EQ(value_of(path, "PRAGMA user_version"), "1");
 }

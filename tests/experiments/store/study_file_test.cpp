@@ -30,9 +30,9 @@ TEST(StudyFile, AStudyOfALaterSchemaIsRefused) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
   opened(path);
-  plain_database(path, "PRAGMA user_version = 13");
+  plain_database(path, "PRAGMA user_version = 14");
   const std::string sentence =
-      path + ": expected a study of schema version 1 to 12, got version 13, which " + kTestBuild +
+      path + ": expected a study of schema version 1 to 13, got version 14, which " + kTestBuild +
       " made";
   EXPECT_EQ(open_refusal(path), sentence);
   EXPECT_EQ(read_refusal(path), sentence);

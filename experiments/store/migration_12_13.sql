@@ -1,0 +1,2 @@
+-- From schema 12 to 13: views alone, which tell the two intervals of a trial apart and count the time
+-- of each from its own stimulus. No table changes; views are made anew afterwards.
