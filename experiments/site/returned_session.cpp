@@ -2,6 +2,9 @@
 #include "experiments/site/returned_session.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <limits>
 #include <map>
 #include <regex>
 #include <utility>
@@ -9,6 +12,7 @@
 #include "experiments/models/readable_file.hpp"
 #include "experiments/session/resumption.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/site/session_keeping.hpp"
 #include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline site {
@@ -43,53 +47,96 @@ std::string text_of(const fs::path& file) {
   }
 }
 
-void require_not_taken(const ReturnedFiles& files, StudyFile& study) {
-  if (find_page_session(study.database(), files.name)) {
+std::string part_name(const std::string& session, std::int64_t number) {
+  char digits[24];
+  std::snprintf(digits, sizeof digits, "%04lld", static_cast<long long>(number));
+  return session + "_" + digits + ".jsonl";
+}
+
+/// What is to be read of a session of which so many parts are kept. Throws InputError where the
+/// next one is missing, or there twice.
+std::vector<fs::path> files_after(std::int64_t kept, const ReturnedFiles& files) {
+  if (files.whole) {
+    return {*files.whole};
+  }
+  std::vector<fs::path> next;
+  for (const ReturnedPart& part : files.parts) {
+    const bool is_kept = part.number >= 1 && part.number <= kept;
+    const std::int64_t wanted = kept + static_cast<std::int64_t>(next.size()) + 1;
+    if (!is_kept && part.number != wanted) {
+      throw InputError(files.name + ": expected " + part_name(files.name, wanted) + " next, got " +
+                       part.file.filename().string());
+    }
+    if (!is_kept) {
+      next.push_back(part.file);
+    }
+  }
+  return next;
+}
+
+/// A session that is there already goes on where there is more of it and nobody went on since.
+void require_going(const ReturnedFiles& files, const PageSession& known, bool has_more,
+                   const Protocol& protocol, StudyFile& study) {
+  if (!has_more) {
     throw InputError(files.name + ": expected a session that is not in " + study.name() +
                      " yet, got one that is");
   }
+  const auto enrolment =
+      find_enrolment(study, known.participant, /*simulated=*/false, texts_of(protocol));
+  if (!enrolment || enrolment->id != known.enrolment_id) {
+    throw InputError(files.name + ": expected a session of " + protocol.name + " in " +
+                     study.name() + ", got one of another protocol");
+  }
+  if (!known.is_last) {
+    throw InputError(files.name + ": expected the last session of " + known.participant + " in " +
+                     study.name() + " to go on from part " + std::to_string(known.parts + 1) +
+                     ", got one after which another began");
+  }
 }
 
-/// How a record says that its session ended; none: it does not.
-const char* ending_of(const AnyRecord& record) {
-  if (std::holds_alternative<FinishedRecord>(record)) {
-    return "finished";
+/// The proof of what is to be taken: of a session that is new, or that goes on.
+SessionProof proof_of(const ReturnedFiles& files, const std::optional<PageSession>& known,
+                      const PublishedStudy& published, const Protocol& protocol, StudyFile& study) {
+  if (known) {
+    return going_proof(files.name, published, protocol, study, *known);
   }
-  if (const auto* note = std::get_if<NoteRecord>(&record)) {
-    return note->kind == "quit" ? "quit" : note->kind == kSyncTestFailedNote ? "failed" : nullptr;
-  }
-  const auto* question = std::get_if<QuestionRecord>(&record);
-  const bool declined =
-      question != nullptr && question->kind == "consent" && question->answer == "declined";
-  return declined ? "declined" : nullptr;
+  return {files.name, published, protocol,
+          [&](const SessionRecord& session) { return earlier_sessions(study, protocol, session); }};
 }
 
-/// What a recorder is given of a record; the rest was for the proof.
-struct Saving {
-  StudyWriter& writer;
-
-  void operator()(const SessionRecord& /*session*/) const {}
-  void operator()(const PlannedTrial& /*trial*/) const {}
-  void operator()(const FinishedRecord& /*finished*/) const { writer.mark_finished(); }
-  template <typename Kept>
-  void operator()(const Kept& record) const {
-    writer.save(record);
+std::vector<AnyRecord> proved_records(const std::vector<fs::path>& files, SessionProof& proof) {
+  std::vector<AnyRecord> records;
+  for (const fs::path& file : files) {
+    for (const std::string& line : lines_in(text_of(file))) {
+      if (auto record = proof.take(line)) {
+        records.push_back(std::move(*record));
+      }
+    }
   }
-};
+  proof.require_plan();
+  return records;
+}
+
+/// By number; whichever number is too large for one comes last.
+ReturnedPart numbered_part(const fs::path& file, const std::string& digits) {
+  ReturnedPart part{std::numeric_limits<std::int64_t>::max(), file};
+  std::from_chars(digits.data(), digits.data() + digits.size(), part.number);
+  return part;
+}
 
 }  // namespace
 
 std::vector<ReturnedFiles> returned_files(const fs::path& folder) {
-  static const std::regex numbered(R"((.+_[^_]+)_[0-9]{4,}\.jsonl)");
+  static const std::regex numbered(R"((.+_[^_]+)_([0-9]{4,})\.jsonl)");
   std::error_code error;
   std::map<std::string, ReturnedFiles> sessions;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string file = entry.path().filename().string();
-    std::smatch parts;
-    const bool is_part = std::regex_match(file, parts, numbered);
-    if (is_part || entry.path().extension() == ".jsonl") {
-      ReturnedFiles& session = sessions[is_part ? parts[1].str() : entry.path().stem().string()];
-      session.files.push_back(entry.path());
+    std::smatch words;
+    if (std::regex_match(file, words, numbered)) {
+      sessions[words[1].str()].parts.push_back(numbered_part(entry.path(), words[2].str()));
+    } else if (entry.path().extension() == ".jsonl") {
+      sessions[entry.path().stem().string()].whole = entry.path();
     }
   }
   if (error || sessions.empty()) {
@@ -100,73 +147,30 @@ std::vector<ReturnedFiles> returned_files(const fs::path& folder) {
   std::vector<ReturnedFiles> all;
   for (auto& [name, session] : sessions) {
     session.name = name;
-    std::sort(session.files.begin(), session.files.end());
-    // A download has all lines of its parts.
-    const auto whole = std::find_if(
-        session.files.begin(), session.files.end(),
-        [&named = session](const fs::path& file) { return file.stem() == named.name; });
-    if (whole != session.files.end()) {
-      session.files = {*whole};
-    }
+    std::sort(session.parts.begin(), session.parts.end());
     all.push_back(std::move(session));
   }
   return all;
 }
 
-std::vector<std::string> lines_in(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end > begin) {
-      lines.push_back(text.substr(begin, end - begin));
-    }
-    begin = end + 1;
-  }
-  return lines;
-}
-
-void save_record(const AnyRecord& record, StudyWriter& writer) {
-  std::visit(Saving{writer}, record);
-  if (const char* ending = ending_of(record)) {
-    writer.set_ending(ending);
-  }
-}
-
 TakenSession take_session(const ReturnedFiles& files, const PublishedStudy& published,
                           const Protocol& protocol, StudyFile& study) {
-  require_not_taken(files, study);
-  SessionProof proof(files.name, published, protocol, [&](const SessionRecord& session) {
-    return earlier_sessions(study, protocol, session);
-  });
-  std::vector<AnyRecord> records;
-  for (const fs::path& file : files.files) {
-    for (const std::string& line : lines_in(text_of(file))) {
-      if (auto record = proof.take(line)) {
-        records.push_back(std::move(*record));
-      }
-    }
+  const auto known = find_page_session(study.database(), files.name);
+  const std::int64_t kept = known ? known->parts : 0;
+  const std::vector<fs::path> next = files_after(kept, files);
+  if (known) {
+    require_going(files, *known, /*has_more=*/!files.whole && !next.empty(), protocol, study);
   }
-  proof.require_plan();
-  const Enrolment enrolment =
-      proof.earlier() ? proof.earlier()->enrolment
-                      : enrol(study, proof.session().participant, /*simulated=*/false,
-                              texts_of(protocol), proof.session().seed, stored(proof.plan()));
-  const std::vector<AnyRecord> notes = screen_notes(proof, study);
-  StudyWriter writer(study, enrolment, facts_of(proof, /*key=*/""));
-  writer.save_whole([&] {
-    for (const AnyRecord& note : notes) {
-      save_record(note, writer);
-    }
-    for (const AnyRecord& record : records) {
-      save_record(record, writer);
-    }
-    for (std::size_t part = 0; part < files.files.size(); ++part) {
-      writer.count_part();
-    }
-  });
-  writer.await_saved();
-  return {records.size(), proof.steps(),
-          !records.empty() && std::holds_alternative<FinishedRecord>(records.back())};
+  SessionProof proof = proof_of(files, known, published, protocol, study);
+  const std::vector<AnyRecord> records = proved_records(next, proof);
+  std::vector<AnyRecord> all = known ? std::vector<AnyRecord>{} : screen_notes(proof, study);
+  all.insert(all.end(), records.begin(), records.end());
+  const auto parts = static_cast<std::int64_t>(next.size());
+  const auto writer = known ? go_on_writing(proof, study, *known)
+                            : begin_writing(proof, protocol, study, /*key=*/"");
+  save_parts(files.name, all, parts, *writer);
+  return {files.whole ? 0 : kept + 1, kept + parts, records.size(), proof.steps(),
+          ends_finished(records)};
 }
 
 }  // namespace impetus::inline site

@@ -8,7 +8,7 @@
 
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/settings/input_error.hpp"
-#include "experiments/site/returned_session.hpp"
+#include "experiments/site/session_keeping.hpp"
 #include "experiments/study/stored_plan.hpp"
 #include "experiments/study/taking_up.hpp"
 
@@ -23,7 +23,6 @@ struct ServedStudy::Sitting {
   std::mutex turn;
   bool failed{false};  ///< what was proved is no longer what is kept
   SessionProof proof;
-  Enrolment enrolment;  ///< which the writer uses
   std::int64_t parts{0};
   std::unique_ptr<StudyWriter> writer;  ///< none: nothing is kept of it yet
   std::chrono::steady_clock::time_point used{std::chrono::steady_clock::now()};
@@ -118,16 +117,10 @@ std::shared_ptr<ServedStudy::Sitting> ServedStudy::known_sitting(const PostedPar
   if (!session) {
     return nullptr;
   }
-  SessionRecord record;
-  record.participant = session->participant;
-  record.seed = session->seed;
-  record.screen = session->screen;
-  Enrolment enrolment = load_enrolment(study_, session->enrolment_id);
-  auto sitting = std::make_shared<Sitting>(
-      SessionProof(part.name, published_, protocol_, record, {enrolment}));
-  sitting->enrolment = std::move(enrolment);
+  auto sitting =
+      std::make_shared<Sitting>(going_proof(part.name, published_, protocol_, study_, *session));
   sitting->parts = session->parts;
-  sitting->writer = std::make_unique<StudyWriter>(study_, sitting->enrolment, *session);
+  sitting->writer = go_on_writing(sitting->proof, study_, *session);
   return sitting;
 }
 
@@ -167,19 +160,13 @@ void ServedStudy::keep(const PostedPart& part, Sitting& sitting) {
   if (!sitting.writer) {
     begin(part.key, sitting, records);
   }
-  sitting.writer->save_whole([&] {
-    for (const AnyRecord& record : records) {
-      save_record(record, *sitting.writer);
-    }
-    sitting.writer->count_part();
-  });
-  sitting.writer->await_saved();
+  save_parts(part.name, records, /*parts=*/1, *sitting.writer);
   ++sitting.parts;
   say_how_far(sitting, records);
 }
 
 void ServedStudy::say_how_far(const Sitting& sitting, const std::vector<AnyRecord>& records) {
-  const bool finished = !records.empty() && std::holds_alternative<FinishedRecord>(records.back());
+  const bool finished = ends_finished(records);
   if (told_ && (sitting.parts == 1 || finished)) {
     const std::lock_guard lock(mutex_);
     told_(sitting.proof.session().participant + (finished ? " has finished" : " begins"));
@@ -198,14 +185,10 @@ void ServedStudy::require_its_page(const PostedPart& part) {
 /// What is to be said of the session goes before its first records.
 void ServedStudy::begin(const std::string& key, Sitting& sitting, std::vector<AnyRecord>& records) {
   const SessionProof& proof = sitting.proof;
-  const std::lock_guard writing(study_.transactions());
-  sitting.enrolment = proof.earlier()
-                          ? proof.earlier()->enrolment
-                          : enrol(study_, proof.session().participant, /*simulated=*/false,
-                                  texts_of(protocol_), proof.session().seed, stored(proof.plan()));
+  const std::lock_guard reading(study_.transactions());
   const std::vector<AnyRecord> notes = screen_notes(proof, study_);
   records.insert(records.begin(), notes.begin(), notes.end());
-  sitting.writer = std::make_unique<StudyWriter>(study_, sitting.enrolment, facts_of(proof, key));
+  sitting.writer = begin_writing(proof, protocol_, study_, key);
 }
 
 json ServedStudy::standing(const std::string& participant, const std::string& key) {

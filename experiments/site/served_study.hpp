@@ -50,8 +50,8 @@ class ServedStudy {
   void tell(std::function<void(const std::string&)> told) { told_ = std::move(told); }
 
   /// Returns once the part is kept; one that is kept already changes nothing. Throws InputError
-  /// when it does not follow from what was published, NotYours, StoreError when it cannot be kept
-  /// now.
+  /// when it does not follow from what was published or the study's tables forbid it, NotYours,
+  /// StoreError when it cannot be kept now.
   void take(const PostedPart& part);
 
   /// Where a participant stands, for a page that is opened again; null: nothing is known of them;

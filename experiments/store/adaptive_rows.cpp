@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/adaptive_rows.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
-#include <stdexcept>
 
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_file.hpp"
@@ -57,7 +58,8 @@ void update_chosen_level(SQLite::Database& database, std::int64_t trial_id,
               "WHERE id = ? AND adaptive_state IS NULL",
               named_values_json(chosen.condition), named_values_json(chosen.state), trial_id);
   if (changed != 1) {
-    throw std::runtime_error("trial " + std::to_string(trial_id) + " has its level already");
+    throw SQLite::Exception("trial " + std::to_string(trial_id) + " has its level already",
+                            SQLITE_CONSTRAINT);
   }
 }
 

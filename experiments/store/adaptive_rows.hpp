@@ -21,7 +21,7 @@ class StudyFile;
 /// ones.
 std::string named_values_json(const std::vector<FactorLevel>& values);
 
-/// Completes a planned trial's condition by its chosen level. Throws std::runtime_error when it has
+/// Completes a planned trial's condition by its chosen level. Throws SQLite::Exception when it has
 /// one already.
 void update_chosen_level(SQLite::Database& database, std::int64_t trial_id,
                          const ChosenLevel& chosen);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/attempt_rows.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -223,8 +225,14 @@ void bind_level(SQLite::Statement& statement, int index, const LevelValue& value
   }
 }
 
-/// {"name": value, ...} in this order; whole numbers without a decimal point.
+/// {"name": value, ...} in this order; whole numbers without a decimal point. As many as a function
+/// of SQL takes.
 std::string json_object(SQLite::Database& database, const std::vector<FactorLevel>& values) {
+  const int most = sqlite3_limit(database.getHandle(), SQLITE_LIMIT_FUNCTION_ARG, -1) / 2;
+  if (values.size() > static_cast<std::size_t>(most)) {
+    throw SQLite::Exception("a response has at most " + std::to_string(most) + " details",
+                            SQLITE_CONSTRAINT);
+  }
   std::string sql = "SELECT json_object(";
   for (const FactorLevel& value : values) {
     sql += sql.back() == '(' ? "?, " : ", ?, ";

@@ -173,26 +173,32 @@ bool has_finished(StudyFile& study, const string& pseudonym, bool simulated,
   return *finished > 0;
 }
 
+Enrolment insert_enrolment(SQLite::Database& database, NewEnrolment fresh) {
+  const int64_t participant =
+      find_or_insert_participant(database, fresh.pseudonym, fresh.simulated);
+  const int64_t version = find_or_insert_protocol(database, fresh.protocol);
+  Enrolment enrolment;
+  enrolment.seed = fresh.seed;
+  enrolment.id = insert_row(database, "enrolment",
+                            {{"participant_id", participant},
+                             {"protocol_id", version},
+                             {"seed", fresh.seed},
+                             {"planned_utc", Now()}});
+  for (StoredTrial& trial : fresh.trials) {
+    trial.id = insert_trial(database, enrolment.id, trial);
+  }
+  enrolment.trials = std::move(fresh.trials);
+  return enrolment;
+}
+
 Enrolment enrol(StudyFile& study, const string& pseudonym, bool simulated,
                 const ProtocolTexts& protocol, std::uint64_t seed,
                 std::vector<StoredTrial> trials) {
-  SQLite::Database& database = study.database();
   try {
-    SQLite::Transaction transaction(database);
-    const int64_t participant = find_or_insert_participant(database, pseudonym, simulated);
-    const int64_t version = find_or_insert_protocol(database, protocol);
-    Enrolment enrolment;
-    enrolment.seed = seed;
-    enrolment.id = insert_row(database, "enrolment",
-                              {{"participant_id", participant},
-                               {"protocol_id", version},
-                               {"seed", seed},
-                               {"planned_utc", Now()}});
-    for (StoredTrial& trial : trials) {
-      trial.id = insert_trial(database, enrolment.id, trial);
-    }
+    SQLite::Transaction transaction(study.database());
+    Enrolment enrolment = insert_enrolment(
+        study.database(), {pseudonym, simulated, protocol, seed, std::move(trials)});
     transaction.commit();
-    enrolment.trials = std::move(trials);
     return enrolment;
   } catch (const SQLite::Exception& error) {
     throw StoreError(study.name() + ": the plan could not be saved: " + error.what());

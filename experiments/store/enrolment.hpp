@@ -46,6 +46,15 @@ struct Enrolment {
   SessionHistory history;
 };
 
+/// A participant who is to be enrolled, and the plan.
+struct NewEnrolment {
+  std::string pseudonym;
+  bool simulated{false};
+  ProtocolTexts protocol;
+  std::uint64_t seed{0};
+  std::vector<StoredTrial> trials;
+};
+
 /// The plan of an enrolment, by slot. Throws SQLite::Exception.
 std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t enrolment_id);
 
@@ -62,7 +71,11 @@ std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pse
 bool has_finished(StudyFile& study, const std::string& pseudonym, bool simulated,
                   const ProtocolTexts& protocol);
 
-/// Stores participant, protocol and plan in one transaction. Ids of `trials` are filled in.
+/// Stores participant, protocol and plan as part of a transaction that is going on. Ids of the
+/// trials are filled in. Throws SQLite::Exception.
+Enrolment insert_enrolment(SQLite::Database& database, NewEnrolment fresh);
+
+/// The same in one transaction. Throws StoreError.
 Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                 const ProtocolTexts& protocol, std::uint64_t seed, std::vector<StoredTrial> trials);
 

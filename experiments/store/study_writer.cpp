@@ -2,35 +2,58 @@
 #include "experiments/store/study_writer.hpp"
 
 #include <SQLiteCpp/Transaction.h>
+#include <sqlite3.h>
 
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/attempt_rows.hpp"
 #include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
+namespace {
 
-StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, bool sync_overridden)
-    : study_(study),
-      enrolment_id_(enrolment.id),
-      sync_overridden_(sync_overridden),
-      thread_([this] { run(); }) {
+std::string trial_words(std::int64_t slot) { return "trial " + std::to_string(slot); }
+
+}  // namespace
+
+StudyWriter::StudyWriter(StudyFile& study, bool sync_overridden)
+    : study_(study), sync_overridden_(sync_overridden), thread_([this] { run(); }) {}
+
+StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, const PageSession& session)
+    : StudyWriter(study, session.sync_overridden) {
+  set_enrolment(enrolment);
+  session_id_ = session.id;
+}
+
+StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts)
+    : StudyWriter(study, facts.sync_overridden) {
+  set_enrolment(enrolment);
+  whole_ = facts.page ? &held_ : nullptr;
+  begin(std::move(facts));
+  whole_ = nullptr;
+}
+
+StudyWriter::StudyWriter(StudyFile& study, NewEnrolment fresh, SessionFacts facts)
+    : StudyWriter(study, facts.sync_overridden) {
+  whole_ = &held_;
+  // The plan is the program's own: were it forbidden, the session would not be to blame.
+  enqueue([this, fresh = std::move(fresh)](SQLite::Database& database) {
+    set_enrolment(insert_enrolment(database, fresh));
+  });
+  begin(std::move(facts));
+  whole_ = nullptr;
+}
+
+void StudyWriter::set_enrolment(const Enrolment& enrolment) {
+  enrolment_id_ = enrolment.id;
   for (const StoredTrial& trial : enrolment.trials) {
     trial_ids_[trial.slot] = trial.id;
   }
 }
 
-StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, const PageSession& session)
-    : StudyWriter(study, enrolment, session.sync_overridden) {
-  session_id_ = session.id;
-}
-
-StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts)
-    : StudyWriter(study, enrolment, facts.sync_overridden) {
-  whole_ = facts.page ? &held_ : nullptr;
-  enqueue([this, facts = std::move(facts)](SQLite::Database& database) {
+void StudyWriter::begin(SessionFacts facts) {
+  enqueue("the session", [this, facts = std::move(facts)](SQLite::Database& database) {
     session_id_ = insert_session(database, enrolment_id_, facts);
   });
-  whole_ = nullptr;
 }
 
 StudyWriter::~StudyWriter() {
@@ -66,7 +89,8 @@ void StudyWriter::save(AttemptRecord attempt) {
   frames_.late += late;
   frames_.late_attempts += late > 0 ? 1 : 0;
   not_finite_attempts_ += has_not_finite(attempt) ? 1 : 0;
-  enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
+  const std::string place = trial_words(attempt.slot);
+  enqueue(place, [this, attempt = std::move(attempt)](SQLite::Database& database) {
     insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt,
                    keeps_steps_);
     if (saved_) {
@@ -76,7 +100,8 @@ void StudyWriter::save(AttemptRecord attempt) {
 }
 
 void StudyWriter::save(QuestionRecord answer) {
-  enqueue([this, answer = std::move(answer)](SQLite::Database& database) {
+  const std::string place = "answer to " + answer.id;
+  enqueue(place, [this, answer = std::move(answer)](SQLite::Database& database) {
     insert_row(database, "answer",
                {{"session_id", session_id_},
                 {"kind", answer.kind},
@@ -87,7 +112,8 @@ void StudyWriter::save(QuestionRecord answer) {
 }
 
 void StudyWriter::save(NoteRecord note) {
-  enqueue([this, note = std::move(note)](SQLite::Database& database) {
+  const std::string place = "note on " + note.kind;
+  enqueue(place, [this, note = std::move(note)](SQLite::Database& database) {
     insert_row(database, "note",
                {{"session_id", session_id_},
                 {"written_utc", Now()},
@@ -97,13 +123,14 @@ void StudyWriter::save(NoteRecord note) {
 }
 
 void StudyWriter::save(ChosenLevel chosen) {
-  enqueue([this, chosen = std::move(chosen)](SQLite::Database& database) {
+  const std::string place = trial_words(chosen.slot) + ", its level";
+  enqueue(place, [this, chosen = std::move(chosen)](SQLite::Database& database) {
     update_chosen_level(database, trial_ids_.at(chosen.slot), chosen);
   });
 }
 
 void StudyWriter::save(CalibrationRecord calibration) {
-  enqueue([this, calibration = std::move(calibration)](SQLite::Database& database) {
+  enqueue("calibration", [this, calibration = std::move(calibration)](SQLite::Database& database) {
     insert_calibration(database, session_id_, calibration);
   });
 }
@@ -141,6 +168,27 @@ void StudyWriter::enqueue(Task task) {
     tasks_.push_back(std::move(task));
   }
   changed_.notify_all();
+}
+
+/// What a table forbids is told apart from a disk that fails, by its place in the session.
+void StudyWriter::enqueue(std::string place, Task task) {
+  enqueue([this, place = std::move(place), task = std::move(task)](SQLite::Database& database) {
+    try {
+      task(database);
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_CONSTRAINT) {
+        throw;
+      }
+      throw ForbiddenRecord(
+          sentence_of(error),
+          place + ": expected values that a study may hold, got others (" + error.what() + ")");
+    }
+  });
+}
+
+std::string StudyWriter::sentence_of(const std::exception& error) const {
+  return study_.name() + ": could not be written (" + error.what() +
+         "); everything up to the last completed trial is saved";
 }
 
 void StudyWriter::await_saved() {
@@ -184,9 +232,7 @@ void StudyWriter::perform(const Task& task) {
     failure_ = std::current_exception();
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
-    failure_ = std::make_exception_ptr(
-        StoreError(study_.name() + ": could not be written (" + error.what() +
-                   "); everything up to the last completed trial is saved"));
+    failure_ = std::make_exception_ptr(StoreError(sentence_of(error)));
   }
 }
 

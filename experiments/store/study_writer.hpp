@@ -23,6 +23,21 @@
 
 namespace impetus::inline store {
 
+/// A record that a table of the study forbids: nothing failed, but what was to be saved is no
+/// record of a session.
+class ForbiddenRecord : public StoreError {
+ public:
+  ForbiddenRecord(const std::string& sentence, std::string refusal)
+      : StoreError(sentence), refusal_(std::move(refusal)) {}
+
+  /// "trial 5: expected values that a study may hold, got others (...)", without the file, which
+  /// is whole.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+
+ private:
+  std::string refusal_;
+};
+
 /// Timed frames of the attempts that were given to save.
 struct FrameCount {
   std::int64_t timed{0};
@@ -34,9 +49,12 @@ struct FrameCount {
 class StudyWriter final : public Recorder {
  public:
   /// Begins a session row; that of a session in a page is kept with the first that is saved whole.
-  /// `study` and `enrolment` must outlive this. Several may write to one study at a time. Throws
-  /// StoreError.
+  /// `study` must outlive this. Several may write to one study at a time. Throws StoreError.
   StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts);
+
+  /// The same for a participant who is new: enrolment and session are kept with the first that is
+  /// saved whole, or not at all.
+  StudyWriter(StudyFile& study, NewEnrolment fresh, SessionFacts facts);
 
   /// Goes on writing a session that a page began, whose writer is no more.
   StudyWriter(StudyFile& study, const Enrolment& enrolment, const PageSession& session);
@@ -65,7 +83,8 @@ class StudyWriter final : public Recorder {
   void save(CalibrationRecord calibration) override;
   void mark_finished() override;
 
-  /// Throws StoreError with the first thing that could not be saved.
+  /// Throws StoreError with the first thing that could not be saved; ForbiddenRecord where a table
+  /// forbids it.
   void await_saved() override;
 
   /// Of those that were given to save: how many had a body taken out (attempt_rows.hpp).
@@ -85,13 +104,17 @@ class StudyWriter final : public Recorder {
  private:
   using Task = std::function<void(SQLite::Database&)>;
 
-  StudyWriter(StudyFile& study, const Enrolment& enrolment, bool sync_overridden);
+  StudyWriter(StudyFile& study, bool sync_overridden);
+  void set_enrolment(const Enrolment& enrolment);
+  void begin(SessionFacts facts);
   void enqueue(Task task);
+  void enqueue(std::string place, Task task);
+  [[nodiscard]] std::string sentence_of(const std::exception& error) const;
   void run();
   void perform(const Task& task);
 
   StudyFile& study_;
-  std::int64_t enrolment_id_;
+  std::int64_t enrolment_id_{0};
   std::map<std::int64_t, std::int64_t> trial_ids_;  ///< by slot
   bool sync_overridden_;
   std::int64_t session_id_{0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/site/returned_session.hpp"
+#include "experiments/site/session_keeping.hpp"
 #include "tests/fuzz/refusals.hpp"
 #include "tests/fuzz/small_studies.hpp"
 #include "tests/fuzz/targets.hpp"

@@ -30,6 +30,17 @@ PublishedStudy published_study(const std::filesystem::path& site) {
   }
 }
 
+void print_taken(const std::string& name, const TakenSession& taken) {
+  const std::string what =
+      taken.first_part == 0 ? "the whole download"
+      : taken.first_part == taken.last_part
+          ? "part " + std::to_string(taken.first_part)
+          : "parts " + std::to_string(taken.first_part) + " to " + std::to_string(taken.last_part);
+  std::printf("%s: %s, %zu records, %lld steps simulated again, 0 divergent%s\n", name.c_str(),
+              what.c_str(), taken.records, static_cast<long long>(taken.steps),
+              taken.finished ? "" : "; not finished");
+}
+
 /// Each session by itself: one that is refused keeps none of the others out.
 int collect(const CollectOptions& options) {
   const PublishedStudy published = published_study(options.site);
@@ -40,11 +51,8 @@ int collect(const CollectOptions& options) {
   std::size_t taken = 0;
   for (const ReturnedFiles& files : sessions) {
     try {
-      const TakenSession session = take_session(files, published, protocol, study);
+      print_taken(files.name, take_session(files, published, protocol, study));
       ++taken;
-      std::printf("%s: %zu records, %lld steps simulated again, 0 divergent%s\n",
-                  files.name.c_str(), session.records, static_cast<long long>(session.steps),
-                  session.finished ? "" : "; not finished");
     } catch (const InputError& refused) {
       std::fprintf(stderr, "refused: %s\n", refused.what());
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -112,6 +113,20 @@ inline std::string joined(const std::vector<std::string>& lines) {
   }
   return text;
 }
+
+/// The line of an attempt with another rating than its participant gave.
+inline std::string with_rating(const std::string& attempt, int rating) {
+  nlohmann::json line = nlohmann::json::parse(attempt);
+  nlohmann::json& columns = line["ratings"][0];
+  const auto place = std::find(columns.begin(), columns.end(), "rating") - columns.begin();
+  line["ratings"][1][static_cast<std::size_t>(place)] = rating;
+  return line.dump();
+}
+
+/// What the tables say to a rating beyond its scale.
+inline constexpr const char* kForbiddenRating =
+    ": expected values that a study may hold, got others (CHECK constraint failed: minimum < "
+    "maximum AND rating BETWEEN minimum AND maximum)";
 
 /// The place of the n-th line of a kind.
 inline std::size_t line_of_kind(const std::string& kind, std::size_t number = 0) {

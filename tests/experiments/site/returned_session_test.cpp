@@ -28,9 +28,11 @@ std::string refusal_of(std::size_t at, const std::function<void(json& line)>& ch
   StudyFile study = opened(folder / "a.sqlite");
   const std::string sentence = sentence_of(
       [&] { take_session(returned_files(folder.path()).front(), published, protocol, study); });
-  EXPECT_EQ(study.database().execAndGet("SELECT count(*) FROM session").getInt(),
-            sentence == "accepted" ? 1 : 0)
-      << sentence;
+  for (const char* table : {"session", "enrolment", "participant", "protocol"}) {
+    EXPECT_EQ(study.database().execAndGet(std::string("SELECT count(*) FROM ") + table).getInt(),
+              sentence == "accepted" ? 1 : 0)
+        << table << ": " << sentence;
+  }
   return sentence;
 }
 
@@ -54,6 +56,8 @@ TEST(ReturnedSession, IsCollectedVerifiedAndReplayed) {
   const ProgramResult collected =
       run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
   EXPECT_EQ(collected.status, 0) << collected.errors;
+  EXPECT_EQ(collected.output.find(std::string(kPageName) + ": parts 1 to 8, "), 0U)
+      << collected.output;
   EXPECT_NE(collected.output.find(" steps simulated again, 0 divergent\n"), std::string::npos)
       << collected.output;
   EXPECT_NE(collected.output.find("a.sqlite: 1 of 1 sessions taken\n"), std::string::npos);

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/site/served_study.hpp"
 
-#include "experiments/site/returned_session.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/site/page_session.hpp"
 
@@ -107,6 +107,62 @@ TEST(ServedStudy, APartThatIsWrongLeavesNothingAndTheRightOneIsTakenThen) {
     EXPECT_EQ(served.sentence_of_part(part), "taken");
   }
   EXPECT_EQ(served.value("SELECT count(*) FROM attempt"), "33");
+}
+
+/// The sentence with which a part is refused as input; then the page sends it no more.
+std::string refusal_of(Served& served, const PostedPart& part) {
+  try {
+    served.site.take(part);
+  } catch (const InputError& refused) {
+    return refused.what();
+  } catch (const std::exception& other) {
+    return "sent again: " + std::string(other.what());
+  }
+  return "taken";
+}
+
+TEST(ServedStudy, ARatingThatTheTablesForbidIsRefusedForGoodAndLeavesNothing) {
+  const TemporaryFolder folder;
+  Served served(folder / "a.sqlite");
+  const std::string counts =
+      "SELECT (SELECT count(*) FROM participant) || (SELECT count(*) FROM enrolment) || "
+      "(SELECT count(*) FROM session) || (SELECT count(*) FROM attempt)";
+  const auto wrong = [](PostedPart part) {
+    std::vector<std::string> lines = lines_of(part.lines);
+    lines.back() = with_rating(lines.back(), 99);
+    part.lines = joined(lines);
+    return part;
+  };
+  for (const std::size_t at : {0U, 1U}) {
+    const std::string before = served.value(counts);
+    const std::string sentence = refusal_of(served, wrong(parts()[at]));
+    EXPECT_EQ(sentence.find(std::string(kPageName) + ": trial "), 0U) << sentence;
+    EXPECT_NE(sentence.find(kForbiddenRating), std::string::npos) << sentence;
+    EXPECT_EQ(served.value(counts), before);
+    EXPECT_EQ(refusal_of(served, parts()[at]), "taken");
+  }
+  EXPECT_EQ(served.value(counts), "1112");
+}
+
+TEST(ServedStudy, ALevelThatIsChosenTwiceIsRefusedForGood) {
+  const TemporaryFolder folder;
+  Served served(folder / "a.sqlite",
+                {text_of(source_file("protocols/causality-thresholds-quest.json")),
+                 text_of(source_file("stimuli/two-spheres.json")),
+                 {},
+                 "this test"});
+  for (PostedPart part : posted(lines_from(served.published, {}), kPageName)) {
+    for (const std::string& line : lines_of(part.lines)) {
+      if (json::parse(line)["kind"] == "level") {
+        part.lines += line + "\n";
+        EXPECT_NE(refusal_of(served, part).find("has its level already"), std::string::npos);
+        EXPECT_EQ(refusal_of(served, part).find("sent again"), std::string::npos);
+        return;
+      }
+    }
+    served.site.take(part);
+  }
+  ADD_FAILURE() << "no level was chosen";
 }
 
 TEST(ServedStudy, APartThatIsMissingIsNamed) {

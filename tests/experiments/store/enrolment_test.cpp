@@ -1,5 +1,6 @@
 // Who does which protocol: the plan, its resumption, and who is refused.
 // SPDX-License-Identifier: MIT
+#include "experiments/store/rows.hpp"
 #include "experiments/store/yoke_rows.hpp"
 #include "tests/experiments/test_study.hpp"
 
@@ -157,6 +158,25 @@ TEST(Enrolment, APlanIsStoredWholeOrNotAtAll) {
                      "SELECT (SELECT count(*) FROM participant) || (SELECT count(*) FROM protocol) "
                      "|| (SELECT count(*) FROM enrolment) || (SELECT count(*) FROM trial)"),
             "0000");
+}
+
+TEST(Enrolment, WithASessionOfWhoWasEnrolledMeanwhileFailsButTheSessionIsNotToBlame) {
+  const TemporaryFolder folder;
+  EnrolledStudy at(folder / "a.sqlite");
+  SessionFacts session = facts();
+  session.page = SessionPage{"P01_2026"};
+  StudyWriter late(at.study,
+                   {"P01", false, texts_of(at.protocol), 1, stored(short_plan(at.protocol, 4))},
+                   session);
+  late.save_whole([&] { late.count_part(); });
+  try {
+    late.await_saved();
+    ADD_FAILURE() << "enrolled twice";
+  } catch (const StoreError& failed) {
+    EXPECT_EQ(dynamic_cast<const ForbiddenRecord*>(&failed), nullptr) << failed.what();
+  }
+  EXPECT_EQ(count_rows(at.study.database(), "enrolment"), 1);
+  EXPECT_EQ(count_rows(at.study.database(), "session"), 0);
 }
 
 }  // namespace impetus::enrolment_test
