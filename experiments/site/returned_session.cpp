@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <regex>
@@ -14,6 +13,7 @@
 #include "experiments/settings/input_error.hpp"
 #include "experiments/site/session_keeping.hpp"
 #include "experiments/study/stored_plan.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline site {
 namespace {
@@ -48,9 +48,7 @@ std::string text_of(const fs::path& file) {
 }
 
 std::string part_name(const std::string& session, std::int64_t number) {
-  char digits[24];
-  std::snprintf(digits, sizeof digits, "%04lld", static_cast<long long>(number));
-  return session + "_" + digits + ".jsonl";
+  return session + printed("_%04lld.jsonl", static_cast<long long>(number));
 }
 
 /// What is to be read of a session of which so many parts are kept. Throws InputError where the
