@@ -137,7 +137,8 @@ void add_extremes(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ExtremesOptions>();
   CLI::App* command = app.add_subcommand(
       "extremes", "Run the engine at its extremes: what is promised, and what is measured here");
-  CLI::Option* quick = command->add_flag("--quick", options->quick, "A quarter of a minute instead of half");
+  CLI::Option* quick =
+      command->add_flag("--quick", options->quick, "A quarter of a minute instead of half");
   command
       ->add_flag("--long", options->takes_long,
                  "Also what takes long: 1e7 steps of one body, 1e6 of a crowd")

@@ -28,7 +28,10 @@ void add_publish(CLI::App& app, Command& chosen) {
   auto out = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("publish", "Write a study as a web page");
   add_publish_options(*command, *options);
-  command->add_option("--out", *out, "Folder for the site: new or empty, unless --force replaces a site")->required();
+  command
+      ->add_option("--out", *out,
+                   "Folder for the site: new or empty, unless --force replaces a site")
+      ->required();
   command->add_option("--drop", options->site.drop_url,
                       "Link that takes trials in the form of DataPipe (left out: a download)");
   command->add_option("--experiment", options->site.experiment, "The study's id at the drop");
