@@ -11,6 +11,7 @@
 #include <cmath>
 #include <vector>
 
+#include "experiments/design/between_participants.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
@@ -77,12 +78,7 @@ class SliderQuestion final : public Question {
         }
       }
     }
-    std::vector<Condition> shown = cells(design);
-    shown.insert(shown.end(), design.practice.begin(), design.practice.end());
-    for (const CatchTrials& trials : design.catch_trials) {
-      shown.push_back(trials.condition);
-    }
-    for (const Condition& condition : shown) {
+    for (const Condition& condition : asked_conditions(design)) {
       if (scale_for(condition) == nullptr) {
         refuse(protocol, "/slider/scales",
                "expected a scale for every condition, got none for " + to_json(condition).dump());
@@ -151,6 +147,20 @@ class SliderQuestion final : public Question {
   }
 
  private:
+  /// Those of the design, of practice, and of catch trials, under every group.
+  static std::vector<Condition> asked_conditions(const Design& design) {
+    std::vector<Condition> beside = design.practice;
+    for (const CatchTrials& trials : design.catch_trials) {
+      beside.push_back(trials.condition);
+    }
+    std::vector<Condition> asked = cells(design);
+    for (const Condition& condition : beside) {
+      const std::vector<Condition> groups = in_every_group(condition, design);
+      asked.insert(asked.end(), groups.begin(), groups.end());
+    }
+    return asked;
+  }
+
   static std::string place(std::size_t scale) { return "/slider/scales/" + std::to_string(scale); }
 
   [[nodiscard]] const SliderScale* scale_for(const Condition& condition) const {

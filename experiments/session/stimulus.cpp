@@ -118,9 +118,10 @@ bool Stimulus::show_scene() {
     }
     mark_frame(frame, last_frame);
     sound(frame);
-    take_clicks();
-    if (frame == 0) {
-      record_.clicks.clear();  // made before there was anything to see
+    if (frame > 0) {
+      take_clicks();
+    } else if (takes_clicks(script_)) {
+      static_cast<void>(ports_.input.take_clicks());  // made before there was anything to see
     }
     if (ends_with_click(script_) && !record_.clicks.empty() && last_frame != frame) {
       last_frame = frame;
