@@ -5,6 +5,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#ifndef EIGEN_DONT_VECTORIZE
+#error "Impetus: expected EIGEN_DONT_VECTORIZE, with which the library is compiled; link impetus::engine"
+#endif
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

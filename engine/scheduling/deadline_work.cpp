@@ -74,7 +74,7 @@ void LearnedTime::learn(double elapsed_ns, double units) {
   if (!(units > 0.0) || elapsed_ns < 0.0) {
     return;
   }
-  const double found_ns = elapsed_ns / units;
+  const double found_ns = std::max(elapsed_ns / units, kLeast_ns);
   ns_ = found_ns > ns_ ? std::min(found_ns, kMostRise * ns_) : ns_ + fall_ * (found_ns - ns_);
 }
 

@@ -15,6 +15,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +39,8 @@ class LearnedTime {
   static constexpr double kFastFall = 0.1;
   /// Of what is done whatever is granted: the longest of some fifty steps.
   static constexpr double kSlowFall = 0.02;
+  /// Nothing takes less: a clock that saw less is too coarse to tell.
+  static constexpr double kLeast_ns = 0.01;
 
   /// `fall`: how much of the way down to a shorter time each one goes.
   explicit LearnedTime(double first_guess_ns, double fall = kSlowFall)
@@ -49,7 +52,7 @@ class LearnedTime {
 
   /// Nothing was done, because it would have taken too long by what is known: so that it is tried
   /// again.
-  void doubt() { ns_ -= fall_ * ns_; }
+  void doubt() { ns_ = std::max(ns_ - fall_ * ns_, kLeast_ns); }
 
   [[nodiscard]] double ns() const { return ns_; }
 

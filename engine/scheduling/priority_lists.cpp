@@ -2,6 +2,8 @@
 #include "engine/scheduling/priority_lists.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "engine/scheduling/metrics.hpp"
 
@@ -60,6 +62,21 @@ std::string problem_of(const Schedule& schedule) {
   return "";
 }
 
+namespace {
+
+/// A rule may be somebody's own.
+void require_lists(const std::vector<MeasuredPair>& pairs, std::size_t count) {
+  for (const MeasuredPair& pair : pairs) {
+    const int list = pair.scheduled.list;
+    if (list < 0 || static_cast<std::size_t>(list) >= count) {
+      throw std::out_of_range("schedule: expected a list from 0 to " + std::to_string(count - 1) +
+                              " of the list rule, got " + std::to_string(list));
+    }
+  }
+}
+
+}  // namespace
+
 void put_into_lists(const std::vector<PairBounds>& bounds, const Schedule& schedule,
                     const Viewer& viewer, const Fixation& fixation,
                     const std::optional<GazeRegion>& region, std::vector<MeasuredPair>& pairs) {
@@ -74,6 +91,7 @@ void put_into_lists(const std::vector<PairBounds>& bounds, const Schedule& sched
   }
   if (schedule.lists.size() > 1) {
     schedule.rule->part(bounds, {metric, schedule.limits, viewer, region}, pairs);
+    require_lists(pairs, schedule.lists.size());
   }
 }
 

@@ -1,4 +1,5 @@
 // A triangle mesh in memory, whether its surface encloses a solid, and the triangles that add
+// nothing to it: without area, or there already.
 // SPDX-License-Identifier: MIT
 #pragma once
 

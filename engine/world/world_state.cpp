@@ -2,6 +2,7 @@
 #include "engine/world/world_state.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -45,7 +46,14 @@ std::string problem_of(const BodyModel& model) {
 }
 
 std::string problem_of(const BodyState& state) {
-  const std::optional<StateField> field = not_finite_field(state);
+  if (!is_usable(state.held_s)) {
+    return "to be held for 0 s or more, a finite number, got " + std::to_string(state.held_s) +
+           " s";
+  }
+  constexpr double kOfUnit = 1e-6;
+  const std::optional<StateField> field =
+      std::abs(state.pose.orientation.coeffs().norm() - 1.0) > kOfUnit ? StateField::kOrientation
+                                                                       : not_finite_field(state);
   if (!field) {
     return "";
   }

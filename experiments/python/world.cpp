@@ -43,6 +43,7 @@ class WorldOfPython {
   }
 
   void set_metric(std::shared_ptr<const PriorityMetric> metric) {
+    require_whole();  // within a step its metric is at work
     put_metric(run_.world(), std::move(metric));
   }
 
@@ -88,7 +89,7 @@ class WorldOfPython {
   void require_whole() const {
     if (broken_) {
       throw std::runtime_error(
-          "the world was left in the middle of a step by what a metric raised; make it anew");
+          "the world is in the middle of a step; where a metric has raised, make it anew");
     }
   }
 

@@ -112,6 +112,14 @@ TEST(FiniteStates, WorldsAreRefusedThatCannotBeStepped) {
   state = {};
   state.pose.orientation.coeffs().setZero();
   EXPECT_EQ(refused(model, state), body + "an orientation of unit length, got one of 0.000000");
+  state.pose.orientation.coeffs() = {0.0, 0.0, 0.0, 1.9};
+  EXPECT_EQ(refused(model, state), body + "an orientation of unit length, got one of 1.900000");
+  state = {};
+  for (const double held_s : {-10.0, kNan, kInfinite}) {
+    state.held_s = held_s;
+    EXPECT_EQ(refused(model, state), body + "to be held for 0 s or more, a finite number, got " +
+                                         std::to_string(held_s) + " s");
+  }
   BodyModel heavy = model;
   heavy.inverse_mass = -1.0;
   EXPECT_EQ(refused(heavy, {}),

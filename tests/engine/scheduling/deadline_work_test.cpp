@@ -147,6 +147,25 @@ TEST(DeadlineWork, WhatAPairTakesIsLearnedFromSteps) {
       << ".6 of the budget, of which a pair takes 300 ns more where entries are refused";
 }
 
+TEST(DeadlineWork, AClockTooCoarseToSeeAStepGrantsAllThatIsAsked) {
+  const StandingClock clock;
+  DeadlineWork meter(clock, 16'000'000);
+  World world = enclosed_l_blocks(15, /*depth=*/2);
+  for (int step = 0; step < 600; ++step) {
+    meter.start_step();
+    const StepReport& report = world.step(step_of(1.0 / 240.0), meter);
+    ASSERT_EQ(report.degradations & (kPairsLeft | kEntryTestsSpent | kContactsLeft | kResponseCut),
+              0U)
+        << step;
+  }
+  LearnedTime time(10.0);
+  for (int i = 0; i < 10'000; ++i) {
+    time.learn(0.0, 1.0);
+    time.doubt();
+  }
+  EXPECT_EQ(time.ns(), LearnedTime::kLeast_ns);
+}
+
 /// A step in which `walls` bodies are modelled at walls, whatever is granted, and so many other
 /// units if they are; returns whether a test was granted before.
 bool step_with_walls(StandingClock& clock, DeadlineWork& meter, std::int64_t walls,

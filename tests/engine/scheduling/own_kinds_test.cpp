@@ -86,6 +86,32 @@ TEST(OwnKinds, DecideWhatIsMeasuredAndInWhichListItIs) {
   EXPECT_GT(in_list[1], 20U);
 }
 
+/// One list further than there are.
+class TooFar final : public ListRule {
+ public:
+  [[nodiscard]] unsigned terms() const override { return 0; }
+  void part(const std::vector<PairBounds>& /*bounds*/, const ListInput& /*input*/,
+            std::vector<MeasuredPair>& pairs) const override {
+    for (MeasuredPair& pair : pairs) {
+      pair.scheduled.list = 2;
+    }
+  }
+};
+
+TEST(OwnKinds, AListThatIsNotThereIsRefused) {
+  WorldSettings settings = settings_of_ones_own();
+  settings.schedule.rule = std::make_shared<TooFar>();
+  World world = world_of_ones_own(settings);
+  FixedWork meter(2'000);
+  EXPECT_THROW(
+      {
+        for (int step = 0; step < 240; ++step) {
+          world.step(step_of(kStep_s), meter);
+        }
+      },
+      std::out_of_range);
+}
+
 TEST(OwnKinds, ReplayFromTheWorkGrantedAndEndAloneInTheStateOfAnyOther) {
   World live = world_of_ones_own(settings_of_ones_own());
   World replay = live;
