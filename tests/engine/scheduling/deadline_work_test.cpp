@@ -150,7 +150,7 @@ TEST(DeadlineWork, WhatAPairTakesIsLearnedFromSteps) {
 TEST(DeadlineWork, AClockTooCoarseToSeeAStepGrantsAllThatIsAsked) {
   const StandingClock clock;
   DeadlineWork meter(clock, 16'000'000);
-  World world = enclosed_l_blocks(15, /*depth=*/2);
+  World world = enclosed_l_blocks(64, /*depth=*/2);
   for (int step = 0; step < 600; ++step) {
     meter.start_step();
     const StepReport& report = world.step(step_of(1.0 / 240.0), meter);
