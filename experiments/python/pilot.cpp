@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "experiments/record/wall_names.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/session.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline python {
 namespace {
@@ -147,9 +149,30 @@ class PilotObserver final : public Input {
     return question;
   }
 
+  /// On a slider's line, where the page has one.
+  static void require_mark(const Page& page, const py::object& given) {
+    const Field& field = page.fields.front();
+    if (field.kind != Field::Kind::kSlider) {
+      return;
+    }
+    std::optional<double> mark;
+    try {
+      mark = given.cast<double>();
+    } catch (const py::cast_error&) {  // no number: refused below
+    }
+    if (!mark || !(*mark >= field.minimum && *mark <= field.maximum)) {
+      throw py::value_error(
+          printed("an observer's answer to %s: expected a number from %g to %g, "
+                  "got %s",
+                  page.response.c_str(), field.minimum, field.maximum,
+                  py::repr(given).cast<std::string>().c_str()));
+    }
+  }
+
   static void fill(const Page& page, const py::object& given, Answer& answer) {
     if (!page.fields.empty() && page.choices.size() <= 1) {
       answer.fields.front() = py::str(given).cast<std::string>();
+      require_mark(page, given);
       return;
     }
     const auto expected = [&](const std::string& got) {

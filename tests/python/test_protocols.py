@@ -92,6 +92,9 @@ class Protocols(unittest.TestCase):
         other = impetus.read(self.folder / "other.sqlite")
         self.assertEqual(len(study.trials), 2 * 87)
         self.assertEqual(list(study.trials.rating), list(other.trials.rating))
+        with self.assertWarnsRegex(UserWarning, "2 of them had finished before"):
+            impetus.run(self.causality, self.folder / "own.sqlite", observer="causality",
+                        participants=2, seed=9)
 
     def test_what_the_program_refuses_is_raised_in_its_words(self):
         with self.assertRaisesRegex(impetus.CommandError, "expected"):
@@ -158,6 +161,12 @@ class Pilots(unittest.TestCase):
         for given in (7, "late", None):
             with self.assertRaisesRegex(ValueError, "expected an index from 0 to 2, got"):
                 impetus.pilot(self.causality, lambda question, shown: given)
+
+    def test_marks_beside_a_sliders_line_are_refused(self):
+        protocol = impetus.load_protocol("protocols/two-balls.json")
+        for given in (1e9, -500, float("nan"), "far", None):
+            with self.assertRaisesRegex(ValueError, r"expected a number from -?\d+ to 100, got"):
+                impetus.pilot(protocol, lambda question, shown: given)
 
     def test_what_an_observer_raises_arrives(self):
         with self.assertRaises(ZeroDivisionError):

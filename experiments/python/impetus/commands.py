@@ -7,6 +7,7 @@ import pathlib
 import shutil
 import subprocess
 import tempfile
+import warnings
 
 from impetus import _impetus
 from impetus.protocols import save
@@ -37,7 +38,8 @@ def run(
 ) -> Study:
     """Runs simulated participants headless, as `impetus run` does, and returns the study.
 
-    `observer` is a name or a file; None with a protocol in which nobody takes part. What is
+    `observer` is a name or a file; None with a protocol in which nobody takes part. What the
+    program notes, such as that some had finished before, is a warning. What is
     recorded can be replayed years later, so nothing written in Python may decide it: a metric or an
     observer that is a function is refused, and `impetus.pilot` takes it.
     """
@@ -66,4 +68,7 @@ def run(
     if done.returncode != 0:
         said = done.stderr.strip().splitlines()
         raise CommandError(said[-1].removeprefix("impetus: ") if said else "impetus failed")
+    for line in done.stderr.splitlines():
+        if line.startswith(("note: ", "warning: ")):
+            warnings.warn(line, stacklevel=2)
     return read(to)
