@@ -30,14 +30,18 @@ void EventPump::notice(const SDL_Event& event) {
   closed_ = closed_ || event.type == SDL_QUIT ||
             (of_window && event.window.event == SDL_WINDOWEVENT_CLOSE);
   if (of_window && event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
-    notice_size(event.window.data1, event.window.data2);
+    notice_size(event.window.windowID);
   }
   const bool escape =
       event.type == SDL_KEYDOWN && event.key.repeat == 0 && event.key.keysym.sym == SDLK_ESCAPE;
   pause_requested_ = pause_requested_ || escape;
 }
 
-void EventPump::notice_size(int width_px, int height_px) {
+/// As it is by now: while a window opens, its manager may try several sizes.
+void EventPump::notice_size(std::uint32_t window) {
+  int width_px = 0;
+  int height_px = 0;
+  SDL_GetWindowSize(SDL_GetWindowFromID(window), &width_px, &height_px);
   if (kept_px_ && *kept_px_ != std::pair(width_px, height_px) && !closed_) {
     closed_ = true;
     std::fprintf(stderr,

@@ -59,7 +59,7 @@ class EventPump {
 
  private:
   void notice(const SDL_Event& event);
-  void notice_size(int width_px, int height_px);
+  void notice_size(std::uint32_t window);
 
   const Clock& clock_;
   std::int64_t looked_ns_;
