@@ -6,7 +6,7 @@
 #pragma once
 
 #ifndef EIGEN_DONT_VECTORIZE
-#error "Impetus: expected EIGEN_DONT_VECTORIZE, with which the library is compiled; link impetus::engine"
+#error "Impetus: expected EIGEN_DONT_VECTORIZE, as the target impetus::engine defines it"
 #endif
 
 #include <Eigen/Core>
