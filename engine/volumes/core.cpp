@@ -41,21 +41,22 @@ Core block_core(const Vector3& centre, const Matrix3& axes, const Vector3& half_
 }
 
 bool comes_after(const CoredVolume& a, const CoredVolume& b) {
+  static constexpr std::partial_ordering kAlike = std::partial_ordering::equivalent;
   const auto compared = [](const auto& of_a, const auto& of_b) {
-    std::partial_ordering order = std::partial_ordering::equivalent;
-    for (Eigen::Index i = 0; std::is_eq(order) && i < of_a.size(); ++i) {
+    std::partial_ordering order = kAlike;
+    for (Eigen::Index i = 0; order == kAlike && i < of_a.size(); ++i) {
       order = of_a.data()[i] <=> of_b.data()[i];
     }
     return order;
   };
   std::partial_ordering order = compared(a.core.centre, b.core.centre);
-  if (std::is_eq(order)) {
+  if (order == kAlike) {
     order = compared(a.core.half_m, b.core.half_m);
   }
-  if (std::is_eq(order)) {
+  if (order == kAlike) {
     order = compared(a.core.axes, b.core.axes);
   }
-  return std::is_eq(order) ? a.radius_m > b.radius_m : std::is_gt(order);
+  return order == kAlike ? a.radius_m > b.radius_m : order == std::partial_ordering::greater;
 }
 
 double bounding_radius_m(const Core& core) { return core.half_m.norm(); }
