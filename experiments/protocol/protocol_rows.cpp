@@ -100,8 +100,7 @@ Kind<Adaptation> adaptation_kind() {
       {required("when", &A::when, condition_kind(), "Levels of the trials that they precede."),
        required("conditions", &A::conditions, list(condition_kind(), kSome),
                 "Shown in turn: a level for every factor within participants, which need not be "
-                "one of the "
-                "design's."),
+                "one of the design's."),
        required("first", &A::first, some, "Before the first such trial of each block."),
        required("before_each", &A::before_each, some, "Before each other one.")});
 }
