@@ -16,15 +16,16 @@ kLevelShapes <- c(16, 17, 15, 18, 3, 4, 8)
 inches <- function(mm) mm / 25.4
 
 # Writes <stem>.png and <stem>.pdf of the grob that `figure` returns when a device is open to measure
-# text on, and returns their paths.
+# text on, and returns their paths. It is made once, for the page that is printed, and drawn on both.
 write_figure <- function(figure, stem, height_mm = kFigureHeightMm) {
   files <- paste0(stem, c(".png", ".pdf"))
   size <- inches(c(kFigureWidthMm, height_mm))
-  grDevices::png(files[1], size[1], size[2], "in", res = 600, type = "cairo")
-  grid::grid.draw(figure())
-  grDevices::dev.off()
   grDevices::cairo_pdf(files[2], size[1], size[2])
-  grid::grid.draw(figure())
+  made <- figure()
+  grid::grid.draw(made)
+  grDevices::dev.off()
+  grDevices::png(files[1], size[1], size[2], "in", res = 600, type = "cairo")
+  grid::grid.draw(made)
   grDevices::dev.off()
   files
 }
@@ -34,10 +35,11 @@ write_column_figure <- function(figure, stem) {
   height <- if (is.null(figure$height_mm)) kColumnHeightMm else figure$height_mm
   svg <- paste0(stem, ".svg")
   grDevices::svg(svg, inches(kColumnWidthMm), inches(height))
-  print(figure$plot)
+  made <- ggplot2::ggplotGrob(figure$plot)
+  grid::grid.draw(made)
   grDevices::dev.off()
   grDevices::cairo_pdf(paste0(stem, ".pdf"), inches(kColumnWidthMm), inches(height))
-  print(figure$plot)
+  grid::grid.draw(made)
   grDevices::dev.off()
   # Cairo counts the pictures of a process: the same figure is to be the same file.
   lines <- readLines(svg, encoding = "UTF-8")
