@@ -68,7 +68,7 @@ AskingRScript::~AskingRScript() {
 }
 
 std::optional<std::string> AskingRScript::hear() {
-  std::array<char, 65536> part{};
+  std::array<char, 4096> part{};
   std::size_t end = 0;
   while ((end = heard_.find('\n')) == std::string::npos) {
     const ssize_t count = recv(socket_, part.data(), part.size(), 0);

@@ -2,6 +2,7 @@
 #include "experiments/fitting/likelihood.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -42,6 +43,13 @@ class LogarithmOfProduct {
   double sum_{0.0};
   double product_{1.0};
 };
+
+/// True when so many more like one that took so long are worth threads, which a tenth of a
+/// millisecond brings to life.
+bool takes_long(std::chrono::duration<double, std::milli> one, std::size_t more) {
+  constexpr double kWorthThreads_ms = 0.5;
+  return one.count() * static_cast<double>(more) > kWorthThreads_ms;
+}
 
 }  // namespace
 
@@ -329,12 +337,13 @@ std::vector<double> AnswerLikelihood::logarithms() {
     }
     all[i] = integral(people_[i]);
   };
-  if (traits_change_seen_ || (judges && model_->outcomes != nullptr)) {
-    do_side_by_side(people_.size(), of_person);  // a person takes a millisecond
-    return all;
-  }
+  const auto began = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < people_.size(); ++i) {
     of_person(i);
+    if (i == 0 && takes_long(std::chrono::steady_clock::now() - began, people_.size() - 1)) {
+      do_side_by_side(people_.size() - 1, [&](std::size_t next) { of_person(next + 1); });
+      break;
+    }
   }
   return all;
 }
