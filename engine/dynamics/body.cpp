@@ -22,7 +22,12 @@ Vector3 angular_momentum_at(const BodyModel& model, const Quaternion& orientatio
     return Vector3::Zero();
   }
   const Vector3 in_body = orientation.conjugate() * spin;
-  return orientation * Vector3(model.inverse_inertia.inverse() * in_body);
+  Matrix3 inertia = model.inverse_inertia.inverse();
+  if (!inertia.allFinite()) {
+    // What cannot turn about some axis has no momentum about it.
+    inertia = model.inverse_inertia.completeOrthogonalDecomposition().pseudoInverse();
+  }
+  return orientation * Vector3(inertia * in_body);
 }
 
 double kinetic_energy(const BodyModel& model, const BodyState& state) {

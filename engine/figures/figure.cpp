@@ -69,6 +69,28 @@ std::string problem_of_hinges(const Figure& figure) {
   return "";
 }
 
+/// Parts that are not at their hinges: nothing would bring them there.
+std::string problem_of_places(const Figure& figure, const std::vector<BodyState>& states) {
+  constexpr double kRounding = 1e-6;
+  for (std::size_t i = 0; i < figure.hinges.size(); ++i) {
+    const Hinge& hinge = figure.hinges[i];
+    const Pose& child = states[at(hinge.child)].pose;
+    const Pose& parent = states[at(hinge.parent)].pose;
+    const double gap_m = anchor_gap_m(hinge, child, parent);
+    if (gap_m > kRounding * std::max(1.0, child.position.norm())) {
+      return "expected the two parts of hinge " + std::to_string(i) +
+             " where it joins them, got its places " + std::to_string(gap_m) + " m apart";
+    }
+    const Vector3 across =
+        (child.orientation * hinge.of_child.axis).cross(parent.orientation * hinge.of_parent.axis);
+    if (across.norm() > kRounding) {
+      return "expected the two parts of hinge " + std::to_string(i) +
+             " to turn about one axis, got two";
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 void find_poses(const Figure& figure, const Pose& root, const std::vector<double>& angles_rad,
@@ -166,7 +188,8 @@ std::string problem_of(const Figure& figure, const std::vector<BodyModel>& model
   return "";
 }
 
-std::string problem_of(const std::vector<Figure>& figures, const std::vector<BodyModel>& models) {
+std::string problem_of(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
+                       const std::vector<BodyState>& states) {
   std::int32_t first_free = 0;
   for (const Figure& figure : figures) {
     std::string problem = problem_of(figure, models);
@@ -175,6 +198,10 @@ std::string problem_of(const std::vector<Figure>& figures, const std::vector<Bod
     }
     if (figure.first_part < first_free) {
       return "figure \"" + figure.name + "\": expected parts after those of the figure before it";
+    }
+    problem = figure.driven ? "" : problem_of_places(figure, states);
+    if (!problem.empty()) {
+      return "figure \"" + figure.name + "\": " + problem;
     }
     first_free = figure.first_part + figure.part_count;
   }

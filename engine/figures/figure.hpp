@@ -83,7 +83,10 @@ double top_bound_m(const Figure& figure, const std::vector<BodyModel>& models);
 /// What is wrong with a figure of these bodies, as a sentence that names it; empty when nothing is.
 std::string problem_of(const Figure& figure, const std::vector<BodyModel>& models);
 
-/// The same of all figures of a world, no two of which share a part.
-std::string problem_of(const std::vector<Figure>& figures, const std::vector<BodyModel>& models);
+/// The same of all figures of a world, no two of which share a part, and of where they are: the
+/// parts of one that moves freely begin at their hinges. `states` are those of all bodies, and
+/// finite.
+std::string problem_of(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
+                       const std::vector<BodyState>& states);
 
 }  // namespace impetus::inline figures

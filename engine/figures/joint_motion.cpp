@@ -64,6 +64,17 @@ bool is_finite(const RootPath& root) {
          root.velocity_m_s.allFinite() && root.spin_rad_s.allFinite() && root.bob_m.allFinite();
 }
 
+bool is_finite(const JointWave& wave) {
+  return std::isfinite(wave.middle_rad) && std::isfinite(wave.amplitude_rad) &&
+         std::isfinite(wave.phase);
+}
+
+bool is_finite(const JointKey& key) {
+  return std::isfinite(key.time_s) &&
+         std::all_of(key.angles_rad.begin(), key.angles_rad.end(),
+                     [](double angle) { return std::isfinite(angle); });
+}
+
 std::string problem_of_keys(const JointMotion& motion, std::size_t joints) {
   const std::vector<JointKey>& keys = motion.keys;
   if (keys.size() < 2 || keys.front().time_s != 0.0) {
@@ -73,6 +84,9 @@ std::string problem_of_keys(const JointMotion& motion, std::size_t joints) {
     if (keys[i].angles_rad.size() != joints) {
       return "expected " + std::to_string(joints) + " angles in each key, got " +
              std::to_string(keys[i].angles_rad.size()) + " in key " + std::to_string(i);
+    }
+    if (!is_finite(keys[i])) {
+      return "expected keys of finite numbers, got another in key " + std::to_string(i);
     }
     if (i > 0 && !(keys[i].time_s > keys[i - 1].time_s)) {
       return "expected keys at rising times, got " + std::to_string(keys[i].time_s) + " s after " +
@@ -114,15 +128,25 @@ std::string problem_of(const JointMotion& motion, std::size_t joints) {
   if (!is_finite(motion.root)) {
     return "expected a root path of finite numbers";
   }
+  constexpr double kOfUnit = 1e-6;
+  if (std::abs(motion.root.start.orientation.coeffs().norm() - 1.0) > kOfUnit) {
+    return "expected a root's orientation of unit length, got one of " +
+           std::to_string(motion.root.start.orientation.coeffs().norm());
+  }
   if (!(motion.period_s > 0.0 && std::isfinite(motion.period_s))) {
     return "expected a period above 0 s, got " + std::to_string(motion.period_s);
   }
   if (!motion.keys.empty()) {
     return problem_of_keys(motion, joints);
   }
-  return motion.waves.size() == joints ? ""
-                                       : "expected a wave for each of " + std::to_string(joints) +
-                                             " joints, got " + std::to_string(motion.waves.size());
+  if (motion.waves.size() != joints) {
+    return "expected a wave for each of " + std::to_string(joints) + " joints, got " +
+           std::to_string(motion.waves.size());
+  }
+  return std::all_of(motion.waves.begin(), motion.waves.end(),
+                     [](const JointWave& wave) { return is_finite(wave); })
+             ? ""
+             : "expected waves of finite numbers, got another";
 }
 
 }  // namespace impetus::inline figures

@@ -134,6 +134,8 @@ const NamedMetric* found(std::string_view name) {
   return metric == std::end(kMetrics) ? nullptr : metric;
 }
 
+bool is_above_zero(double number) { return number > 0.0 && std::isfinite(number); }
+
 [[noreturn]] void refuse(const std::string& what, const std::string& got) {
   throw std::invalid_argument("scheduler: expected " + what + ", got " + got);
 }
@@ -152,6 +154,17 @@ std::shared_ptr<const PriorityMetric> make_metric(std::string_view name,
   if (!options.terms.empty() && !metric->takes_terms) {
     refuse("no terms, which \"" + std::string(name) + "\" has no use for",
            std::to_string(options.terms.size()));
+  }
+  if (options.point && !(std::isfinite(options.point->x_m) && std::isfinite(options.point->y_m))) {
+    refuse("a point of finite numbers",
+           std::to_string(options.point->x_m) + ", " + std::to_string(options.point->y_m) + " m");
+  }
+  const Noticing& noticing = options.noticing;
+  if (!(is_above_zero(noticing.threshold_arcmin) && is_above_zero(noticing.width_log10) &&
+        noticing.miss_rate >= 0.0 && noticing.miss_rate <= 1.0)) {
+    refuse("a threshold and a width above 0, and a miss rate from 0 to 1",
+           std::to_string(noticing.threshold_arcmin) + ", " + std::to_string(noticing.width_log10) +
+               " and " + std::to_string(noticing.miss_rate));
   }
   return metric->make(options);
 }

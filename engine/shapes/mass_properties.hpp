@@ -23,7 +23,8 @@ MassProperties solid_sphere(double radius_m, double density_kg_m3);
 /// (Mirtich 1996; Tonon 2004 for the tetrahedron's moments). Coordinates are taken from the first
 /// vertex, so a mesh far from the origin loses no more than its coordinates have lost, and sums are
 /// compensated, so a fine mesh is as exact as a coarse one.
-/// Precondition: find_defects(mesh).none().
+/// Of a mesh that is inside out, volume and mass are below 0. Precondition:
+/// find_defects(mesh).none().
 MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3);
 
 /// The mesh moved so that the centre of mass of its solid is the origin: a body's own frame.

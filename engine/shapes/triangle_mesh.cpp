@@ -45,6 +45,10 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> edges;
   for (const auto& triangle : mesh.triangles) {
+    if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size()) {
+      ++defects.unknown_vertices;
+      continue;
+    }
     defects.degenerate_triangles += is_degenerate(mesh, triangle) ? 1 : 0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t from = triangle[corner];

@@ -49,14 +49,16 @@ struct MeshDefects {
   std::int64_t crowded_edges{0};         ///< edges with more than two triangles
   std::int64_t degenerate_triangles{0};  ///< a repeated vertex or no area
   std::int64_t bad_vertices{0};          ///< not finite
+  std::int64_t unknown_vertices{0};      ///< triangles of a vertex that there is not
 
   [[nodiscard]] bool none() const {
     return open_edges == 0 && misoriented_edges == 0 && crowded_edges == 0 &&
-           degenerate_triangles == 0 && bad_vertices == 0;
+           degenerate_triangles == 0 && bad_vertices == 0 && unknown_vertices == 0;
   }
 };
 
-/// Counts the defects of a mesh. Every vertex index must be within `vertices`.
+/// Counts the defects of a mesh. It does not tell whether the surface is inside out, as a whole or
+/// a part of it: the volume of its solid (mass_properties.hpp) is then below 0, or smaller.
 MeshDefects find_defects(const TriangleMesh& mesh);
 
 /// Whether the triangle has a repeated vertex or no area.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,9 @@ class World {
   World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings);
 
   /// What it returns stays until the next step, and as long as the world does. Throws
-  /// std::invalid_argument unless `input.dt_s` is a finite number, 0 or more.
+  /// std::invalid_argument unless `input.dt_s` is a finite number, 0 or more; and what a metric, an
+  /// order of work or a reduction of the caller's own throws: the bodies are then somewhere within
+  /// the step, and the world is to be made anew.
   const StepReport& step(const StepInput& input, WorkMeter& meter);
 
   [[nodiscard]] const std::vector<BodyModel>& models() const { return state_.models; }
@@ -73,7 +76,7 @@ class World {
   [[nodiscard]] std::int64_t nodes_transformed() const;
 
   /// For what moves a body from outside, as in tests and in what somebody imagines.
-  [[nodiscard]] std::vector<BodyState>& mutable_states() { return state_.states; }
+  [[nodiscard]] std::span<BodyState> mutable_states() { return state_.states; }
 
  private:
   void change_settings(WorldSettings changed);

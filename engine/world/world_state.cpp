@@ -25,6 +25,17 @@ std::string text_of(const Vector3& v) {
          ")";
 }
 
+/// Whether a symmetric matrix is 0 or more along every direction, to rounding: its principal minors
+/// are.
+bool is_never_negative(const Matrix3& matrix) {
+  constexpr double kRounding = 1e-6;
+  const double most = matrix.cwiseAbs().maxCoeff();
+  const Matrix3 m = most > 0.0 ? Matrix3(matrix / most) : matrix;
+  const auto minor = [&](int i, int j) { return m(i, i) * m(j, j) - m(i, j) * m(j, i); };
+  return m.diagonal().minCoeff() >= -kRounding && minor(0, 1) >= -kRounding &&
+         minor(0, 2) >= -kRounding && minor(1, 2) >= -kRounding && m.determinant() >= -kRounding;
+}
+
 std::string problem_of(const BodyModel& model) {
   if (model.tree == nullptr) {
     return "a volume tree, got none";
@@ -42,7 +53,13 @@ std::string problem_of(const BodyModel& model) {
       !(inverse.diagonal().minCoeff() >= 0.0)) {
     return "an inverse inertia of finite numbers, those on its diagonal 0 or more, got another";
   }
-  return "";
+  const double rounding = 1e-6 * inverse.cwiseAbs().maxCoeff();
+  if ((inverse - inverse.transpose()).cwiseAbs().maxCoeff() > rounding) {
+    return "an inverse inertia that equals its transpose, got another";
+  }
+  return is_never_negative(inverse)
+             ? ""
+             : "an inverse inertia of 0 or more about every axis, got one below 0";
 }
 
 std::string problem_of(const BodyState& state) {
@@ -85,12 +102,16 @@ std::string problem_of(const std::vector<BodyModel>& models, const std::vector<B
 WorldState::WorldState(std::vector<BodyModel> bodies, std::vector<BodyState> begun,
                        const WorldSettings& settings)
     : models(std::move(bodies)), states(std::move(begun)), finite(states) {
-  const std::string of_figures = problem_of(settings.figures, models);
-  for (const std::string& problem : {problem_of(models, states), problem_of(settings),
-                                     of_figures.empty() ? of_figures : "world: " + of_figures}) {
-    if (!problem.empty()) {
-      throw std::invalid_argument(problem);
-    }
+  std::string problem = problem_of(models, states);
+  if (problem.empty()) {
+    problem = problem_of(settings);
+  }
+  if (problem.empty()) {
+    problem = problem_of(settings.figures, models, states);
+    problem.insert(0, problem.empty() ? "" : "world: ");
+  }
+  if (!problem.empty()) {
+    throw std::invalid_argument(problem);
   }
   for (BodyModel& body : models) {
     if (body.inverse_mass == 0.0) {

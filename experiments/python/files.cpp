@@ -14,6 +14,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/python/module.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline python {
 namespace {
@@ -23,7 +24,7 @@ using nlohmann::json;
 
 /// What Python wrote becomes a document of this name; the text is what a file of it would hold.
 JsonDocument document_of(const py::object& value, const std::string& name) {
-  return parse_json(name, as_json(value).dump(2) + "\n");
+  return parse_json(name, as_json(value, name).dump(2) + "\n");
 }
 
 Protocol protocol_of(const py::object& value, const std::string& path,
@@ -37,7 +38,7 @@ Protocol protocol_of(const py::object& value, const std::string& path,
 
 /// The condition that names each factor once. Throws InputError.
 Condition condition_of(const Protocol& protocol, const py::object& levels) {
-  const json wanted = as_json(levels);
+  const json wanted = as_json(levels, "condition");
   std::string shown;
   for (const Condition& cell : cells(protocol.design)) {
     if (to_json(cell) == wanted) {
@@ -125,6 +126,10 @@ void add_files(py::module_& module) {
       .def(
           "check_frames",
           [](const Protocol& p, double refresh_hz, bool allow_rounding) {
+            if (!(refresh_hz >= 20.0 && refresh_hz <= 1000.0)) {
+              throw py::value_error("refresh_hz: expected 20 to 1000 Hz, got " +
+                                    exact_number(refresh_hz));
+            }
             check_frames(p, refresh_hz, allow_rounding);
           },
           py::arg("refresh_hz") = 60.0, py::arg("allow_rounding") = false,

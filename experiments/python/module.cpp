@@ -14,10 +14,24 @@ py::object as_python(const nlohmann::json& value) {
   return py::module_::import("json").attr("loads")(value.dump());
 }
 
-nlohmann::json as_json(const py::object& value) {
+nlohmann::json as_json(const py::object& value, const std::string& name) {
+  const auto refuse = [&](const std::string& why) -> InputError {
+    return InputError(name + ": expected what a JSON file can hold, got something else (" + why +
+                      ")");
+  };
   const py::dict strict(py::arg("allow_nan") = false);
-  const py::object text = py::module_::import("json").attr("dumps")(value, **strict);
-  return nlohmann::json::parse(text.cast<std::string>());
+  try {
+    const py::object text = py::module_::import("json").attr("dumps")(value, **strict);
+    return nlohmann::json::parse(text.cast<std::string>());
+  } catch (const py::error_already_set& error) {
+    if (error.matches(PyExc_ValueError) || error.matches(PyExc_TypeError) ||
+        error.matches(PyExc_RecursionError)) {
+      throw refuse(py::str(error.value()).cast<std::string>());
+    }
+    throw;
+  } catch (const nlohmann::json::exception&) {
+    throw refuse("half a letter: a lone surrogate");
+  }
 }
 
 std::string bits_of(std::uint64_t bits) { return bits_text(static_cast<std::int64_t>(bits)); }

@@ -27,9 +27,10 @@ void add_files(pybind11::module_& module);
 void add_studies(pybind11::module_& module);
 void add_pilots(pybind11::module_& module);
 
-/// JSON as Python's own dictionaries, lists, texts and numbers, and back.
+/// JSON as Python's own dictionaries, lists, texts and numbers, and back; where JSON cannot hold
+/// it, an InputError that begins with the name.
 pybind11::object as_python(const nlohmann::json& value);
-nlohmann::json as_json(const pybind11::object& value);
+nlohmann::json as_json(const pybind11::object& value, const std::string& name);
 
 /// "x0123456789abcdef": 64 bits as an export has them.
 std::string bits_of(std::uint64_t bits);

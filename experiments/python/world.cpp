@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,7 @@ class WorldOfPython {
   /// Rows of one field of all states: the world's own memory.
   static py::array field(const py::object& self, std::size_t offset, py::ssize_t columns) {
     auto& world = self.cast<WorldOfPython&>();
-    std::vector<BodyState>& states = world.run_.world().mutable_states();
+    const std::span<BodyState> states = world.run_.world().mutable_states();
     auto* first = reinterpret_cast<double*>(reinterpret_cast<std::byte*>(states.data()) + offset);
     return py::array_t<double>(
         {static_cast<py::ssize_t>(states.size()), columns},

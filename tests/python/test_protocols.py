@@ -72,6 +72,22 @@ class Protocols(unittest.TestCase):
         delays.check_frames(60.0, allow_rounding=True)
         with self.assertRaisesRegex(impetus.InputError, "expected"):
             delays.check_frames(60.0)
+        for refresh_hz in (0.0, -60.0, float("nan")):
+            with self.assertRaisesRegex(ValueError, "refresh_hz: expected 20 to 1000 Hz, got "):
+                delays.check_frames(refresh_hz)
+
+    def test_what_no_file_of_json_can_hold_is_refused(self):
+        itself = {}
+        itself["itself"] = itself
+        for value in (float("nan"), {1, 2}, "\udc80", itself):
+            document = {**self.causality.document, "title": value}
+            with self.assertRaisesRegex(impetus.InputError,
+                                        "^protocol.json: expected what a JSON file can hold, got "):
+                impetus.protocol(document, self.causality.scene)
+
+    def test_a_pilot_of_nobody_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "participants: expected 1 or more, got -3"):
+            impetus.pilot(self.causality, lambda question, shown: 0, participants=-3)
 
     def test_saved_files_are_the_protocol_and_are_not_overwritten(self):
         file = impetus.save(self.causality, self.folder / "protocols" / "again.json")

@@ -30,6 +30,8 @@ def pilot(
 
     A pilot is no study: no file is written and nothing of it can be replayed.
     """
+    if participants < 1:
+        raise ValueError(f"participants: expected 1 or more, got {participants}")
     rows: list[dict[str, Any]] = []
     for number in range(1, participants + 1):
         code = f"S{number:0{max(2, len(str(participants)))}d}"

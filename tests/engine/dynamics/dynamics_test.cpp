@@ -36,6 +36,14 @@ TEST(Motion, TumblingAboutTheIntermediateAxisKeepsItsEnergy) {
   EXPECT_LT(drift, 5e-5);  // a prototype of the method had 1.8e-5 (engine-notes)
 }
 
+TEST(Motion, WhatTurnsAboutOneAxisAloneHasMomentumAboutThatAlone) {
+  BodyModel wheel = box_body();
+  wheel.inverse_inertia = Vector3(0.0, 0.0, 4.0).asDiagonal();
+  const Quaternion lying(std::sqrt(0.5), std::sqrt(0.5), 0.0, 0.0);  // its z along the world's −y
+  const Vector3 momentum = angular_momentum_at(wheel, lying, {1.0, 2.0, 3.0});
+  EXPECT_LT((momentum - Vector3(0.0, 0.5, 0.0)).norm(), 1e-12) << momentum.transpose();
+}
+
 TEST(Motion, TheIntermediateAxisIsUnstableAsItShouldBe) {
   const BodyModel model = box_body();
   BodyState state = tumbling(model, 5.0);

@@ -133,6 +133,15 @@ TEST(FiniteStates, WorldsAreRefusedThatCannotBeStepped) {
             body +
                 "an inverse inertia of finite numbers, those on its diagonal 0 or more, got "
                 "another");
+  turning = model;
+  turning.inverse_inertia(0, 1) = 0.5 * turning.inverse_inertia(0, 0);
+  EXPECT_EQ(refused(turning, {}),
+            body + "an inverse inertia that equals its transpose, got another");
+  turning.inverse_inertia << 1.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1.0;
+  EXPECT_EQ(refused(turning, {}),
+            body + "an inverse inertia of 0 or more about every axis, got one below 0");
+  turning.inverse_inertia = Vector3(0.0, 0.0, 2.0).asDiagonal();  // on an axle
+  EXPECT_EQ(refused(turning, {}), "");
   EXPECT_EQ(refused(ball(kInfinite, 1.0), {}),
             body + "a tree of a finite size, got a radius of inf m");
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/figures/hinge_solver.hpp"
 #include "tests/engine/figure_flight.hpp"
@@ -177,6 +178,26 @@ TEST(FigureMotion, RecordedKeysAreMetAndJoinedSmoothly) {
   EXPECT_EQ(joint_angle(motion, 0, 9.0), 0.0);
   motion.keys[1].angles_rad = {1.0, 2.0};
   EXPECT_EQ(problem_of(motion, 1), "expected 1 angles in each key, got 2 in key 1");
+}
+
+TEST(FigureMotion, WhatDrivesAFigureIsOfFiniteNumbers) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  JointMotion keys;
+  keys.keys = {{0.0, {0.0}}, {1.0, {1.0}}};
+  ASSERT_EQ(problem_of(keys, 1), "");
+  keys.keys[1].angles_rad[0] = kNan;
+  EXPECT_EQ(problem_of(keys, 1), "expected keys of finite numbers, got another in key 1");
+  keys.keys[1] = {std::numeric_limits<double>::infinity(), {1.0}};
+  EXPECT_EQ(problem_of(keys, 1), "expected keys of finite numbers, got another in key 1");
+  JointMotion waves;
+  waves.waves.resize(1);
+  ASSERT_EQ(problem_of(waves, 1), "");
+  waves.waves[0].amplitude_rad = kNan;
+  EXPECT_EQ(problem_of(waves, 1), "expected waves of finite numbers, got another");
+  waves.waves[0] = {};
+  waves.root.start.orientation.coeffs() *= 1.5;
+  EXPECT_EQ(problem_of(waves, 1),
+            "expected a root's orientation of unit length, got one of 1.500000");
 }
 
 TEST(FigureMotion, StepsAreTheSameToTheBitWhoeverMakesThem) {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "engine/figures/hinged_responder.hpp"
 #include "tests/engine/figure_scenes.hpp"
 
@@ -129,6 +132,29 @@ TEST(Hinge, AWorldRefusesWhatFiguresCannotHave) {
             "world: expected impulses in turn where there are figures, got together");
   EXPECT_EQ(refused([](WorldSettings& settings) { settings.figures[0].first_part = 1; }),
             "world: figure \"chain\": expected parts among the 3 bodies");
+}
+
+TEST(Hinge, AWorldRefusesAFigureThatIsTorn) {
+  const FigureScene scene = chain_of(3);
+  const auto refused = [&](auto change) {
+    std::vector<BodyState> states = scene.at_rest();
+    change(states);
+    return problem_of(std::vector{scene.figure}, scene.models, states);
+  };
+  EXPECT_EQ(refused([](std::vector<BodyState>&) {}), "");
+  EXPECT_EQ(
+      refused([](std::vector<BodyState>& states) { states[2].pose.position.y() += 0.25; }),
+      "figure \"chain\": expected the two parts of hinge 1 where it joins them, got its places "
+      "0.250000 m apart");
+  EXPECT_EQ(refused([&](std::vector<BodyState>& states) {
+              const Hinge& hinge = scene.figure.hinges[1];
+              Pose& child = states[2].pose;
+              const Vector3 anchor = child.transform(hinge.of_child.anchor);
+              const Vector3 axis = hinge.of_child.axis.unitOrthogonal();
+              child.orientation = child.orientation * Quaternion(Eigen::AngleAxisd(0.1, axis));
+              child.position = anchor - child.orientation * hinge.of_child.anchor;
+            }),
+            "figure \"chain\": expected the two parts of hinge 1 to turn about one axis, got two");
 }
 
 }  // namespace impetus::hinge_test

@@ -287,6 +287,22 @@ TEST(Metrics, PerceivedIsTheProbabilityThatTheGapIsNoticed) {
   EXPECT_GT(metric->priority(0.5), metric->priority(0.4));
 }
 
+TEST(Metrics, OptionsThatNobodyCanHaveAreRefused) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  MetricOptions options;
+  options.point = ScreenPoint{kNan, 0.0};
+  EXPECT_EQ(refusal("eccentricity", options),
+            "scheduler: expected a point of finite numbers, got nan, 0.000000 m");
+  options = {};
+  options.noticing.threshold_arcmin = kNan;
+  const std::string expected =
+      "scheduler: expected a threshold and a width above 0, and a miss rate from 0 to 1, got ";
+  EXPECT_EQ(refusal("perceived", options), expected + "nan, 0.200000 and 0.100000");
+  options = {};
+  options.noticing.miss_rate = 1.5;
+  EXPECT_EQ(refusal("perceived", options), expected + "10.000000, 0.200000 and 1.500000");
+}
+
 TEST(Metrics, OptionsWithoutAUseAreRefused) {
   MetricOptions point;
   point.point = ScreenPoint{};

@@ -255,4 +255,14 @@ TEST(FindDefects, AVertexThatIsNotFiniteIsBad) {
   EXPECT_EQ(find_defects(mesh).bad_vertices, 2);
 }
 
+TEST(FindDefects, ATriangleOfAVertexThatThereIsNotIsCountedAndNotRead) {
+  TriangleMesh mesh = cube(1.0);
+  mesh.triangles.push_back({0, 1, 8});
+  mesh.triangles.push_back({0, 1, std::numeric_limits<std::uint32_t>::max()});
+  const MeshDefects defects = find_defects(mesh);
+  EXPECT_EQ(defects.unknown_vertices, 2);
+  EXPECT_EQ(defects.crowded_edges + defects.open_edges + defects.degenerate_triangles, 0);
+  EXPECT_FALSE(defects.none());
+}
+
 }  // namespace impetus::shapes_test

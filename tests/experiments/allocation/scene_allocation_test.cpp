@@ -19,7 +19,7 @@ struct Run {
 /// The first seconds of the scene, from where its bodies start.
 Run run(const DemandScene& scene, World& world) {
   constexpr double kLongest_s = 10.0;
-  world.mutable_states() = scene.staged.world.states();
+  std::ranges::copy(scene.staged.world.states(), world.mutable_states().begin());
   FixedWork meter(scene.staged.budget.tests_per_step);
   const auto most = static_cast<std::int64_t>(kLongest_s * scene.staged.step_hz);
   Run run;
