@@ -39,9 +39,10 @@ report_accuracy_study <- function(study) {
 # By level: the mean over participants of their shares of right answers, Student's 95 % interval, how
 # many participants, and what was published.
 accuracy_rows <- function(trials, factor, published) {
-  rows <- t_intervals(participant_means(trials, factor, "correct"))
+  means <- participant_means(trials, factor, "correct")
+  rows <- t_intervals(means)
   data.frame(level = rows$cell, accuracy = rows$mean, low = rows$low, high = rows$high,
-    participants = participant_count(trials),
+    participants = colSums(!is.na(means)),
     published = as.numeric(published[match(rows$cell, names(published))]))
 }
 

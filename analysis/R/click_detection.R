@@ -123,12 +123,10 @@ detection_tests <- function(fits, records, gains, left_out, trials) {
     paste(count_of(dropped, "click"), if (dropped == 1) "is" else "are")))
   if (length(fits) < 2) return(outcome(remarks = remarks))  # one participant only describes
   each <- each_row(fits, `[[`, "gains")
-  gain_test <- function(gain, family) paired_test(each[, gain], family, kGainWords[[gain]], kGainUnit)
+  gain_test <- function(gain, family) paired_test(each[, gain], family, kGainWords[[gain]], kGainUnit,
+    "additive click-rate regression for each participant; t test over them")
   difference <- gain_test("difference", kSensitivityFamily)
-  if (!is.null(difference$rows)) {
-    difference$rows$method <- "additive click-rate regression for each participant; t test over them"
-    difference$rows$trials <- trials
-  }
+  if (!is.null(difference$rows)) difference$rows$trials <- trials
   all_outcomes(outcome(remarks = remarks), difference,
     gain_test("bad", kGainTFamily), gain_test("good", kGainTFamily),
     timing_test(mean(each[, "difference"]), shifted_differences(records), length(fits), trials))

@@ -66,7 +66,7 @@ click_bootstrap <- function(trials, pair = kTrackedRandom) {
       return(outcome(remarks = sprintf("No bootstrap of %s: a kind has no clicks there.", label)))
     }
     outcome(test_row(family_of(kClickBootstrapFamily, pair),
-      "percentile bootstrap over participants, 2000 draws", label, NA, NA, NA, p = NA,
+      "expanded-percentile bootstrap over participants, 2000 draws", label, NA, NA, NA, p = NA,
       size_name = "rate ratio", size = ratio(lapply(parts, rate_of)),
       interval = bootstrap_of_totals(parts, ratio), interval_level = 0.95,
       participants = participant_count(here), trials = nrow(here)))

@@ -181,15 +181,16 @@ friedman_tests <- function(trials, factors) {
   })))
 }
 
-# A paired t test of participants' differences, with their mean's 95 % interval; none for fewer than
-# two participants.
-paired_test <- function(differences, family, effect, size_name) {
+# A t test of participants' differences, with their mean's 95 % interval; none for fewer than two
+# participants.
+paired_test <- function(differences, family, effect, size_name,
+                        method = "paired t test of participants' means") {
   if (length(differences) < 2) return(outcome())
   if (stats::sd(differences) < 1e-9) {  # means of counts and small numbers: below is rounding
     return(outcome(remarks = sprintf("No t test of %s: the differences do not vary.", effect)))
   }
   test <- stats::t.test(differences)
-  outcome(test_row(family, "paired t test of participants' means", effect, "t",
+  outcome(test_row(family, method, effect, "t",
     test$statistic[[1]], test$parameter[[1]], p = test$p.value, size_name = size_name,
     size = mean(differences), interval = test$conf.int, interval_level = 0.95,
     participants = length(differences)))
@@ -230,7 +231,7 @@ equivalence_test <- function(differences, label, margin, family = kEquivalenceFa
     n - 1)
   outcome(test_row(family, sprintf("two one-sided t tests, margin ±%.2f", margin), label, "t",
     tests$statistic, n - 1, p = tests$p, size_name = "difference in rating points",
-    size = mean(differences), interval = tests$interval, interval_level = 0.90,
+    size = round(mean(differences), 12), interval = tests$interval, interval_level = 0.90,  # less is rounding
     participants = n))
 }
 

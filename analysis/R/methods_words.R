@@ -9,13 +9,15 @@ methods_sentences <- function(path, protocol, parts) {
     unlist(lapply(parts, part_methods)), analysis_words(parts))
 }
 
+# Of people, or of simulated participants where they are those who are analysed.
 people_words <- function(path, protocol, sessions) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
+  all_simulated <- all(analysed_enrolments(path, protocol)$simulated == 1)
+  rows <- rows[rows$simulated == all_simulated, ]
   whole <- query_study(path, "SELECT DISTINCT participant FROM excluded WHERE trial IS NULL")
   out <- sum(rows$participant %in% whole$participant)
-  sprintf("%s took part in %s (protocol '%s')%s.",
-    count_of(nrow(rows), who_words(all(rows$simulated == 1))),
-    count_of(nrow(sessions), "sitting"), protocol, if (out == 0) "" else
+  sprintf("%s took part in %s (protocol '%s')%s.", count_of(nrow(rows), who_words(all_simulated)),
+    count_of(sum(rows$sessions), "sitting"), protocol, if (out == 0) "" else
       sprintf("; the data of %d were excluded", out))
 }
 
@@ -110,7 +112,8 @@ analysis_words <- function(parts) {
     paste0("The unit of every test is the participant",
       if ("clicks" %in% kinds) ", but for a circular shift of clicks", "."),
     paste("Beside each test's own p stands the one corrected after Holm within its family; what is",
-      "said to be found rests on the corrected one."))
+      "said to be found rests on the corrected one."),
+    "Where one of these could not be made, the results name it and say why.")
   c(if (length(people) > 1) tested else
     "One participant's data are described; no test across participants was made.",
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))

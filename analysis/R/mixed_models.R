@@ -5,9 +5,11 @@
 #
 # Each factor is tested in a model of its own, with its own slope, beside all other factors as fixed
 # effects: a test of a factor without its slope takes differences between participants for an effect
-# of it (Barr 2013). A factor between participants, of which each has one level, has no slope. A slope runs over the numbers of a factor, or over 1, 2, 3 where its levels are
-# words. A likelihood-ratio test compares two models with the same random part and distribution, so
-# models that are compared fall back together. What a response adds is in response_models.R.
+# of it (Barr 2013). A factor between participants, of which each has one level, has no slope. A slope
+# runs over the numbers of a factor, or over 1, 2, 3 where its levels are words: the test of such a
+# factor depends on their order, and rejects too often where participants differ in another one. A
+# likelihood-ratio test compares two models with the same random part and distribution, so models that
+# are compared fall back together. What a response adds is in response_models.R.
 # SPDX-License-Identifier: MIT
 
 # The full model and, for each tested term, the model without it, by the first of the response's

@@ -100,6 +100,22 @@ mean_base_words <- function(trials, factors, of = "rating") {
   sprintf(" Nobody has a trial at every %s: each mean is over those who have it.", cell)
 }
 
+# Who has no trial in some combination of the factors within participants, and what that does.
+unbalanced_sentence <- function(study) {
+  trials <- study$trials
+  factors <- within_factors(trials, varying_factors(trials, unname(study$factors)))
+  if (length(factors) < 2 || identical(study$response, "threshold")) return(character())
+  trials$there <- 1
+  trials[factors] <- lapply(trials[factors], droplevels)
+  means <- participant_means(trials, factors, "there")
+  lacking <- nrow(means) - nrow(complete_participants(means))
+  if (lacking == 0) return(character())
+  sprintf(paste("%d of %d participants %s some combination of %s: means by one factor, Friedman's test",
+    "and comparisons of two levels take what trials there are, so that they also hold effects of the",
+    "other factors; the ANOVA leaves these participants out."), lacking, nrow(means),
+    if (lacking == 1) "lacks" else "lack", and_words(vapply(factors, plain_name, "")))
+}
+
 # Numbers stand at their value on the axis, words at 1, 2, 3 in their order.
 position_of <- function(level) {
   number <- suppressWarnings(as.numeric(level))

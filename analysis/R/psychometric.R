@@ -59,7 +59,7 @@ rises_by <- function(data) {
 first_guesses <- function(data, guess) {
   range <- diff(range(data$x))
   middles <- unique(stats::quantile(rep(data$x, data$n), c(0.2, 0.5, 0.8), names = FALSE))
-  unlist(lapply(middles, function(middle) lapply(log(range * c(0.05, 0.25)), function(spread) {
+  unlist(lapply(middles, function(middle) lapply(log(range * c(0.02, 0.05, 0.12, 0.25, 0.6)), function(spread) {
     c(middle, spread, 0.01, if (is.null(guess)) 0.05)
   })), recursive = FALSE)
 }

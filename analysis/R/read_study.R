@@ -186,7 +186,13 @@ design_words <- function(path) {
   }, "")
   labels <- labels[!is.na(labels) & nzchar(labels) & !grepl("[][<>&|`*_\\\\[:cntrl:]]", labels)]
   list(impetus.labels = c(labels, stats::setNames(labels, sprintf("factor_%s", names(labels)))),
-    impetus.levels = split(rows$level, factor(rows$factor, unique(rows$factor))))
+    impetus.levels = lapply(split(rows$level, factor(rows$factor, unique(rows$factor))),
+      in_kinds_order))
+}
+
+# Kinds of scheduling stand in one order wherever they are reported, as mixed models go by it.
+in_kinds_order <- function(levels) {
+  if (all(levels %in% kSchedulingKinds)) intersect(kSchedulingKinds, levels) else levels
 }
 
 # The one scale of all ratings, as a one-row data frame; refuses to pool two.

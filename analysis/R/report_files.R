@@ -14,7 +14,7 @@ kReportViews <- list(
   set_aside_attempt = list(), click_trial = list(), trial_click = list(),
   seen_collision = list(columns = c("participant", "protocol", "trial", "phase", "step", "body_a",
     "body_b", "level", "stopped", "imposed_hold_ms", "eccentricity_deg", "gap_arcmin",
-    "hidden_share", "time_s", "gaze_eccentricity_deg")),
+    "hidden_share", "time_s", "gaze_eccentricity_deg", "imposed_spin_a_x_rad_s")),
   popped_step = list(), gaze_calibration = list(), session_provenance = list())
 
 # Columns of words among those that a view computes; all others that it computes are numbers.

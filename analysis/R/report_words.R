@@ -39,7 +39,16 @@ ratio_words <- function(tests, factor, response = "rating", scale = NULL) {
   if (nrow(rows) == 0) return(character())
   sprintf("%s%s: %s.", sub("ratio", "ratios", sentence_case(of$size)), if (is.null(scale)) "" else
     sprintf(" (towards \"%s\")", as_typed(scale$high_anchor)),
-    paste0(sub("^.*?: ", "", rows$effect, perl = TRUE), ", ", size_words(rows), collapse = "; "))
+    paste0(sub("^.*?: ", "", rows$effect, perl = TRUE), ", ", ratio_size_words(rows), collapse = "; "))
+}
+
+# Small ratios by their first two digits: 0.00 would say that there is nothing.
+ratio_size_words <- function(rows) {
+  text <- function(x) {
+    ifelse(x < 0.095, formatC(x, digits = 2, format = "fg", flag = "#"), sprintf("%.2f", x))
+  }
+  sprintf("%s, %.0f %% CI [%s, %s]", text(rows$effect_size), 100 * rows$interval_level,
+    text(rows$interval_low), text(rows$interval_high))
 }
 
 # What the mixed model found about one factor: its effect and its ratios.
@@ -59,7 +68,8 @@ interaction_words <- function(tests, response = "rating") {
   rows <- tests_of(tests, of$interactions)
   vapply(seq_len(nrow(rows)), function(i) {
     names <- vapply(strsplit(rows$effect[i], ":", fixed = TRUE)[[1]], plain_name, "")
-    sprintf("In the %s with interactions, one of %s was %s: %s.", of$kind,
+    sprintf(paste("In the %s with interactions, which has no slope of them for each participant and so",
+      "finds some too often (Barr 2013), one of %s was %s: %s."), of$kind,
       paste(names, collapse = " and "), if (rows$p_holm[i] < kSignificance) "detected" else
         "not detected, which is not evidence of its absence", chi_squared_words(rows[i, ]))
   }, "")

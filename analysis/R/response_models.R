@@ -218,7 +218,8 @@ answer_checks <- function(models, trials, factor) {
     sprintf("Pearson's χ² per degree of freedom %.2f", models$full$pearson),
     sprintf("observed and fitted share at a level differ by %.3f at most", max(abs(tapply(
       stats::fitted(model) - trials$positive, trials[[factor]], mean)))),
-    if (lme4::isSingular(model)) "a variance of the random part is estimated as 0")
+    if (lme4::isSingular(model)) paste("the random part is at the end of what it can be: a variance",
+      "of 0, or a correlation of ±1"))
 }
 
 click_checks <- function(models, trials, factor) {

@@ -66,7 +66,8 @@ data_choices <- function(part, everything = NULL) {
 # One row per factor and choice of data.
 data_sensitivity <- function(part, measure, everything = NULL) {
   choices <- data_choices(part, everything)
-  each_row(unname(part$factors), function(factor) {
+  # A factor between participants has no differences within them.
+  each_row(within_factors(part$trials, unname(part$factors)), function(factor) {
     ends <- levels(part$trials[[factor]])[c(1, nlevels(part$trials[[factor]]))]
     each_row(names(choices), function(name) {
       means <- participant_means(choices[[name]], factor, measure$of)
@@ -78,7 +79,7 @@ data_sensitivity <- function(part, measure, everything = NULL) {
       data.frame(comparison = sprintf("%s: %s − %s", label_of(factor), ends[2], ends[1]),
         choice = name, participants = length(difference),
         trials = sum(choices[[name]]$participant %in% kept),
-        difference = if (length(difference) > 0) interval[["mean"]] else NA,
+        difference = if (length(difference) > 0) round(interval[["mean"]], 12) else NA,
         low = interval[["low"]], high = interval[["high"]],
         p = if (varies) stats::t.test(difference)$p.value else NA)
     })

@@ -2,10 +2,38 @@
 # Measured values, beside what was asked for.
 # SPDX-License-Identifier: MIT
 
-# One row per participant of a protocol; `out`: codes wholly left out.
+# Who is analysed of a protocol, as keep_people_apart() has it: nobody who is left out whole, and
+# simulated participants only where there is no person.
+analysed_enrolments <- function(path, protocol) {
+  rows <- rows_of_view(path, "enrolment_summary", protocol)
+  whole <- query_study(path, "SELECT participant FROM excluded WHERE trial IS NULL")$participant
+  rows <- rows[!rows$participant %in% whole, ]
+  with_trials <- rows$simulated[rows$completed_trials > 0]
+  all_simulated <- all((if (length(with_trials) > 0) with_trials else rows$simulated) == 1)
+  rows[all_simulated | rows$simulated == 0, ]
+}
+
+# Those of `rows` (participant, trial) whose trials are analysed: no catch trials, none left out.
+analysed_rows <- function(path, protocol, rows) {
+  catch <- query_study(path, paste("SELECT trial FROM rated_trial WHERE catch = 1",
+    "UNION SELECT trial FROM trial_response WHERE catch = 1"))$trial
+  out <- query_study(path, "SELECT trial FROM excluded WHERE trial IS NOT NULL")$trial
+  people <- analysed_enrolments(path, protocol)$participant
+  rows[rows$participant %in% people & !rows$trial %in% c(catch, out), ]
+}
+
+# The collisions of the trials that are analysed: participant, trial and these columns of their view.
+analysed_collisions <- function(path, protocol, columns, ...) {
+  analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial,", columns,
+    "FROM seen_collision", ..., "WHERE protocol = ? AND phase = 'main'"), protocol))
+}
+
+# One row per participant of a protocol.
 participants_table <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
   whole <- query_study(path, "SELECT participant, reason FROM excluded WHERE trial IS NULL")
+  single <- query_study(path, "SELECT participant, trial FROM excluded WHERE trial IS NOT NULL")
+  trials <- table(factor(single$participant, rows$participant))
   state <- ifelse(!is.na(rows$finished_utc), "finished",
     ifelse(rows$completed_trials > 0, "in progress", "enrolled"))
   at <- match(rows$participant, whole$participant)
@@ -13,21 +41,42 @@ participants_table <- function(path, protocol) {
     planned = rows$planned_trials, completed = rows$completed_trials, sittings = rows$sessions,
     state = state, late = ifelse(rows$timed_frames > 0,
       sprintf("%.2f %%", 100 * rows$late_timed_frames / rows$timed_frames), NA),
-    left_out = ifelse(is.na(at), "", whole$reason[at]))
+    left_out = ifelse(!is.na(at), whole$reason[at],
+      ifelse(!rows$participant %in% analysed_enrolments(path, protocol)$participant,
+        "simulated, in a study that has people",
+        ifelse(trials == 0, "", sprintf("%d trial%s", trials, ifelse(trials == 1, "", "s"))))))
 }
 
 kParticipantHeads <- c("Participant", "Who", "Main trials planned", "completed", "Sittings", "State",
   "Late frames", "Left out, why")
 
-# Sentences about timing, freezes, collisions and gaze of the main trials of a protocol.
+# Sentences about timing, freezes, collisions and gaze of the trials of a protocol that are analysed.
 shown_sentences <- function(path, protocol) {
-  rows <- rows_of_view(path, "rated_trial", protocol)
+  rows <- analysed_rows(path, protocol, rows_of_view(path, "rated_trial", protocol))
+  popped <- analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial, pops,",
+    "largest_pop_deg FROM popped_step WHERE protocol = ? AND phase = 'main'"), protocol))
   c(
-    frame_sentences(rows_of_view(path, "enrolment_summary", protocol)),
+    frame_sentences(analysed_enrolments(path, protocol)),
     hold_sentence(rows), gaze_shown_sentences(rows), collision_sentences(path, protocol),
-    pop_sentence(query_study(path, paste("SELECT count(DISTINCT trial) AS trials, sum(pops) AS pops,",
-      "max(largest_pop_deg) AS largest FROM popped_step WHERE protocol = ? AND phase = 'main'"),
-      protocol)))
+    spin_sentences(path, protocol), pop_sentence(popped))
+}
+
+# Factors of which some levels were shown with random spin and others without.
+spin_sentences <- function(path, protocol) {
+  known <- query_study(path, "SELECT name FROM pragma_table_info('seen_collision')")$name
+  if (!"imposed_spin_a_x_rad_s" %in% known) return(character())  # data of before
+  rows <- analysed_collisions(path, protocol, "imposed_spin_a_x_rad_s IS NOT NULL AS spun")
+  if (sum(rows$spun) == 0) return(character())
+  levels <- query_study(path, "SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level")
+  levels <- levels[levels$trial %in% rows$trial, ]
+  levels$spun <- levels$trial %in% rows$trial[rows$spun == 1]
+  unlist(lapply(split(levels, levels$factor), function(mine) {
+    share <- tapply(mine$spun, factor(mine$level, in_order(unique(mine$level))), mean)
+    if (max(share) - min(share) < 1e-9) return(character())
+    sprintf(paste("CONFOUNDED: random spin was imposed at some levels of %s only (share of trials: %s),",
+      "so an effect of it cannot be told from one of randomness."), plain_name(mine$factor[1]),
+      paste0(names(share), ": ", sprintf("%.0f %%", 100 * share), collapse = "; "))
+  }), use.names = FALSE)
 }
 
 frame_sentences <- function(rows) {
@@ -62,28 +111,28 @@ gaze_shown_sentences <- function(rows) {
 }
 
 collision_sentences <- function(path, protocol) {
-  rows <- query_study(path, paste("SELECT count(*) AS n, count(gap_arcmin) AS measured,",
-    "count(DISTINCT trial) AS trials FROM seen_collision WHERE protocol = ? AND phase = 'main'"),
-    protocol)
-  if (rows$n == 0) return("No collision was recorded in the main trials.")
+  rows <- analysed_collisions(path, protocol, "gap_arcmin")
+  if (nrow(rows) == 0) return("No collision was recorded in the main trials.")
+  measured <- sum(!is.na(rows$gap_arcmin))
   c(
-    sprintf("%s in %s.", count_of(rows$n, "collision"), count_of(rows$trials, "main trial")),
-    if (rows$measured == 0) paste("No gap has been measured: `impetus replay STUDY --truth` does it,",
-      "before the report is made.") else if (rows$measured < rows$n)
-      sprintf("The gap was measured in %s of them.", format(rows$measured, big.mark = ",")))
+    sprintf("%s in %s.", count_of(nrow(rows), "collision"),
+      count_of(length(unique(rows$trial)), "main trial")),
+    if (measured == 0) paste("No gap has been measured: `impetus replay STUDY --truth` does it,",
+      "before the report is made.") else if (measured < nrow(rows))
+      sprintf("The gap was measured in %s of them.", format(measured, big.mark = ",")))
 }
 
-pop_sentence <- function(row) {
-  if (is.na(row$pops) || row$pops == 0) return(character())
+pop_sentence <- function(rows) {
+  if (sum(rows$pops) == 0) return(character())
   sprintf("Detail fell from one step to the next %s in %s; the largest jump was %.2f°.",
-    count_of(row$pops, "time"), count_of(row$trials, "trial"), row$largest)
+    count_of(sum(rows$pops), "time"), count_of(length(unique(rows$trial)), "trial"),
+    max(rows$largest_pop_deg, na.rm = TRUE))
 }
 
 # Collisions of the main trials by the level that was reached: why refinement stopped, and gaps.
 levels_reached <- function(path, protocol) {
-  rows <- query_study(path, paste("SELECT level, stopped, CAST(gap_arcmin AS REAL) AS gap_arcmin,",
-    "CAST(hidden_share AS REAL) AS hidden_share FROM seen_collision",
-    "WHERE protocol = ? AND phase = 'main'"), protocol)
+  rows <- analysed_collisions(path, protocol, paste("level, stopped,",
+    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share"))
   if (nrow(rows) == 0) return(NULL)
   gaps_by(rows, rows$level, function(cell) data.frame(stopped = paste(vapply(names(table(
     cell$stopped)), function(why) sprintf("%s: %.0f %%", why, 100 * mean(cell$stopped == why)), ""),
@@ -95,15 +144,13 @@ kLevelHeads <- c("Level reached", "Collisions", "Share", "Gap, median (′)", "G
 
 # The same by each level of each factor of the design: what a condition really looked like.
 levels_by_factor <- function(path, protocol) {
-  rows <- query_study(path, paste("SELECT factor, CAST(trial_level.level AS TEXT) AS of,",
-    "seen_collision.level AS reached, stopped, CAST(gap_arcmin AS REAL) AS gap_arcmin,",
-    "CAST(hidden_share AS REAL) AS hidden_share FROM seen_collision JOIN trial_level USING (trial)",
-    "WHERE protocol = ? AND phase = 'main'"), protocol)
+  rows <- analysed_collisions(path, protocol, paste(
+    "factor, CAST(trial_level.level AS TEXT) AS of, seen_collision.level AS reached, stopped,",
+    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share"),
+    "JOIN trial_level USING (trial)")
   if (nrow(rows) == 0) return(NULL)
   each_row(split(rows, rows$factor), function(mine) {
-    levels <- unique(mine$of)
-    number <- suppressWarnings(as.numeric(levels))
-    levels <- if (anyNA(number)) sort(levels) else levels[order(number)]
+    levels <- in_order(unique(mine$of))
     if (length(levels) < 2 || length(levels) > 12) return(NULL)
     table <- gaps_by(mine, factor(mine$of, levels), function(cell) data.frame(
       reached = paste(range(cell$reached)[c(TRUE, diff(range(cell$reached)) > 0)], collapse = " to ")))
@@ -111,15 +158,21 @@ levels_by_factor <- function(path, protocol) {
   })
 }
 
+# Numbers by their value, words by their letters.
+in_order <- function(levels) {
+  number <- suppressWarnings(as.numeric(levels))
+  if (anyNA(number)) sort(levels) else levels[order(number)]
+}
+
 kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (′)",
   "Gap, 95 % below (′)", "Hidden share, median", "Levels of the tree reached")
 
 # The same by how far from the gaze they began, where it was followed: which levels were looked at.
 levels_looked_at <- function(path, protocol) {
-  rows <- query_study(path, paste("SELECT gaze_eccentricity_deg AS away_deg, level AS reached,",
-    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share",
-    "FROM seen_collision WHERE protocol = ? AND phase = 'main'",
-    "AND gaze_eccentricity_deg IS NOT NULL"), protocol)
+  rows <- analysed_collisions(path, protocol, paste(
+    "CAST(gaze_eccentricity_deg AS REAL) AS away_deg, level AS reached,",
+    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share"))
+  rows <- rows[!is.na(rows$away_deg), ]
   if (nrow(rows) == 0) return(NULL)
   away <- cut(rows$away_deg, c(0, 2, 5, 10, Inf), include.lowest = TRUE,
     labels = c("within 2°", "2° to 5°", "5° to 10°", "beyond 10°"))

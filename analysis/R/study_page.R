@@ -71,17 +71,16 @@ protocol_lines <- function(protocol, parts, path, folder) {
     "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(parts))), "</ul>")
 }
 
-# The box that stands above whatever is simulated.
+# The box that stands above results that are of nobody but simulated participants.
 simulated_lines <- function(path, protocol) {
-  rows <- rows_of_view(path, "enrolment_summary", protocol)
-  if (any(rows$simulated == 0)) return(NULL)
+  if (any(analysed_enrolments(path, protocol)$simulated == 0)) return(NULL)
   paste0("<p class=\"simulated\">SIMULATED: every participant is simulated; these results describe an",
     " observer model, not people.</p>")
 }
 
 part_data_lines <- function(part) {
   words <- c(participants_sentence(part), exclusions_sentence(part), unclicked_sentence(part),
-    catch_sentence(part), hashes_sentence(part))
+    unbalanced_sentence(part), catch_sentence(part), hashes_sentence(part))
   c(sprintf("<h4>%s: what is in the analysis</h4>", html_text(title_of_part(part))),
     html_paragraphs(paste(words, collapse = " ")), html_of_lines(left_out_section(part)))
 }

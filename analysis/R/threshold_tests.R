@@ -34,8 +34,10 @@ threshold_anova <- function(study, rows) {
   result <- repeated_measures_tests(rows, study$split)
   if (!is.null(result$rows)) {
     result$rows$family <- kThresholdAnovaFamily
-    result$rows$method <- sub("cell means", "thresholds", result$rows$method)
-    result$rows$trials <- sum(rows$trials)
+    result$rows$method <- sub("cell means", if (isTRUE(study$log10)) "log₁₀ thresholds" else "thresholds",
+      result$rows$method)
+    complete <- complete_participants(participant_means(rows, study$split))
+    result$rows$trials <- sum(rows$trials[as.character(rows$participant) %in% rownames(complete)])
   }
   outcome(result$rows, gsub("a rating in every cell", "a threshold in every cell", result$remarks))
 }

@@ -151,7 +151,8 @@ study_sentences <- function(study) {
   c(
     if (study$all_simulated) paste("SIMULATED: every participant is simulated; these results",
       "describe an observer model, not people."),
-    participants_sentence(study), exclusions_sentence(study), catch_sentence(study),
+    participants_sentence(study), exclusions_sentence(study), unbalanced_sentence(study),
+    catch_sentence(study),
     hashes_sentence(study), timing_sentences(study$trials),
     if (!is.null(study$scale)) delay_sentence(study$trials, study$factors), study$depths)
 }

@@ -30,6 +30,16 @@ test_that("the ANOVA of a mixed design agrees with base R's strata on obk.long",
   expect_match(phase$method, "Greenhouse")
 })
 
+test_that("what is paired within participants is no table's row of a factor between them", {
+  trials <- groups_of_obk()
+  trials[c("phase", "treatment")] <- lapply(trials[c("phase", "treatment")], factor)
+  rows <- data_sensitivity(list(trials = trials, factors = c("phase", "treatment"),
+    enrolments = data.frame(participant = character(), finished_utc = character())),
+    list(of = "rating"))
+  expect_match(rows$comparison, "^phase", ignore.case = TRUE)
+  expect_equal(rows$participants, 16)
+})
+
 test_that("with factors between participants alone the ANOVA is one of their means", {
   trials <- groups_of_obk()
   row <- repeated_measures_tests(trials, "treatment")$rows

@@ -41,6 +41,19 @@ test_that("the levels that were looked at are told by how far from the gaze they
   expect_equal(told$median, c(25, 24, 25))
 })
 
+test_that("what was shown is that of the trials that are analysed", {
+  path <- exposure_file()
+  shown <- function() collision_sentences(path, "gaze-contingent")[1]
+  expect_equal(shown(), "8 collisions in 3 main trials.")
+  add_exclusion(path, "P1", 1, "a phone rang")
+  expect_equal(shown(), "3 collisions in 2 main trials.")
+  expect_equal(sum(levels_reached(path, "gaze-contingent")$collisions), 3)
+  expect_equal(participants_table(path, "gaze-contingent")$left_out, c("1 trial", ""))
+  add_exclusion(path, "P1", NA, "fell asleep")
+  expect_equal(shown(), "1 collision in 1 main trial.")
+  expect_equal(sum(levels_reached(path, "gaze-contingent")$collisions), 1)
+})
+
 test_that("collisions of one sort closer than the limit are one event, however long the series", {
   expect_equal(event_count(c(1, 1.09, 1.18, 1.3), 0.1), 2)
   expect_equal(event_count(c(1.3, 1, 1.18, 1.09), 0.1), 2)  # in any order

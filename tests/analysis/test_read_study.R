@@ -105,6 +105,9 @@ test_that("what the analysis rests on is said in words", {
       "progress: 1 participant has not finished and is included with the ratings given so far.",
       "1 more participant enrolled, without ratings."),
     "No rating was excluded.",
+    paste("1 of 2 participants lacks some combination of delay, speed and viewpoint: means by one",
+      "factor, Friedman's test and comparisons of two levels take what trials there are, so that they",
+      "also hold effects of the other factors; the ANOVA leaves these participants out."),
     "2 versions of protocol 'causality' (different hashes) are pooled here.",
     "Late timed frames: 2 of 6,900, in 1 trial.",
     paste("The sync test was overridden for 1 participant (27 trials), which are included."),
@@ -123,6 +126,33 @@ test_that("simulated participants are named, and never pooled with people", {
   expect_equal(sort(unique(mixed$trials$participant)), c("P01", "P02"))
   expect_equal(exclusions_sentence(mixed),
     "Left out: 27 ratings of 1 participant (simulated, in a study that has people).")
+})
+
+test_that("the page's words are of those who are analysed: people, or simulated ones without any", {
+  trials <- causality_trials(seed = 68, participants = 3, repetitions = 1)
+  trials$simulated <- as.integer(trials$participant == "P03")
+  path <- write_study(at("a.sqlite"), trials)
+  sessions <- rows_of_view(path, "session_provenance", "causality")
+  expect_match(people_words(path, "causality", sessions), "^2 participants took part")
+  expect_null(simulated_lines(path, "causality"))
+  expect_equal(participants_table(path, "causality")$left_out,
+    c("", "", "simulated, in a study that has people"))
+  add_exclusion(add_exclusion(path, "P01", NA, "a pilot"), "P02", NA, "a pilot")
+  expect_match(people_words(path, "causality", sessions), "^1 simulated participant took part")
+  expect_match(simulated_lines(path, "causality"), "SIMULATED")
+  expect_equal(participants_table(path, "causality")$left_out, c("a pilot", "a pilot", ""))
+})
+
+test_that("kinds of scheduling have one order, whatever that of the protocol", {
+  expect_equal(in_kinds_order(c("all-good", "all-bad", "tracked", "random")), kSchedulingKinds)
+  expect_equal(in_kinds_order(c("random", "all-good")), c("all-good", "random"))
+  expect_equal(in_kinds_order(c("slips", "launches")), c("slips", "launches"))
+})
+
+test_that("ratios near 0 are told by their first digits", {
+  expect_equal(ratio_size_words(data.frame(effect_size = c(0.00023, 1.61), interval_low = c(3.02e-5, 0.22),
+    interval_high = c(0.00175, 11.63), interval_level = 0.95)),
+    c("0.00023, 95 % CI [0.000030, 0.0018]", "1.61, 95 % CI [0.22, 11.63]"))
 })
 
 test_that("the planted observer's means by delay come out, in order and size", {

@@ -44,6 +44,14 @@ test_that("a level confounded with random spin is called so", {
     "No random spin was imposed, so level is not confounded with randomness.")
 })
 
+test_that("the report of any study calls it so, too", {
+  trials <- response_trials(402, 2, 0.5)
+  words <- spin_sentences(response_file(trials), "response")
+  expect_equal(words, paste("CONFOUNDED: random spin was imposed at some levels of level only (share of",
+    "trials: 0: 100 %; 2: 0 %; 4: 0 %), so an effect of it cannot be told from one of randomness."))
+  expect_length(spin_sentences(response_file(trials, spin = FALSE), "response"), 0)
+})
+
 test_that("the planted effect of the spin's size comes back", {
   trials <- response_trials(403, 12, 0.7, repetitions = 2)
   study <- read_response(response_file(trials))
