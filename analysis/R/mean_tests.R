@@ -24,8 +24,7 @@ repeated_measures_tests <- function(trials, factors) {
   trials[factors] <- lapply(trials[factors], droplevels)
   between <- between_factors(trials, factors)
   within <- setdiff(factors, between)
-  means <- if (length(within) > 0) participant_means(trials, within) else
-    as.matrix(tapply(trials$rating, as.character(trials$participant), mean))
+  means <- means_within(trials, within)
   complete <- complete_participants(means)
   if (nrow(complete) < 2) {
     return(outcome(remarks = paste(
@@ -42,6 +41,12 @@ repeated_measures_tests <- function(trials, factors) {
       "too few participants for its interactions, and is not reported."))))
   }
   outcome(each_row(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)), remarks)
+}
+
+# participant_means of these factors; of no factor, each participant's mean of all.
+means_within <- function(trials, within) {
+  if (length(within) > 0) return(participant_means(trials, within))
+  as.matrix(tapply(trials$rating, as.character(trials$participant), mean))
 }
 
 # One row per effect: effect, F, df1 and df2 after Greenhouse and Geisser, p, ges, sums of squares;

@@ -36,7 +36,8 @@ threshold_anova <- function(study, rows) {
     result$rows$family <- kThresholdAnovaFamily
     result$rows$method <- sub("cell means", if (isTRUE(study$log10)) "log₁₀ thresholds" else "thresholds",
       result$rows$method)
-    complete <- complete_participants(participant_means(rows, study$split))
+    rows[study$split] <- lapply(rows[study$split], droplevels)
+    complete <- complete_participants(means_within(rows, within_factors(rows, study$split)))
     result$rows$trials <- sum(rows$trials[as.character(rows$participant) %in% rownames(complete)])
   }
   outcome(result$rows, gsub("a rating in every cell", "a threshold in every cell", result$remarks))

@@ -31,12 +31,15 @@ test_that("the share of right answers is a part of its own, before the answers t
   expect_equal(mean(parts[[2]]$trials$positive), 0.5, tolerance = 0.1)
 })
 
-test_that("a level's accuracy is of those who have it", {
+test_that("accuracy is of those who have every level, as in the figure, or else of who has it", {
   trials <- data.frame(participant = c("A", "A", "B"), scenario = factor(c("drop", "hit", "hit")),
     correct = c(1, 0, 1))
   rows <- accuracy_rows(trials, "scenario", c(hit = 0.8))
-  expect_equal(rows$participants, c(1, 2))
-  expect_equal(rows$accuracy, c(1, 0.5))
+  expect_equal(rows$participants, c(1, 1))
+  expect_equal(rows$accuracy, c(1, 0))
+  rows <- accuracy_rows(trials[-2, ], "scenario", c(hit = 0.8))
+  expect_equal(rows$participants, c(1, 1))
+  expect_equal(rows$accuracy, c(1, 1))
 })
 
 test_that("where one factor says what is right, the answers by that factor tell it", {

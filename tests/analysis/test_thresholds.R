@@ -126,6 +126,11 @@ test_that("a study's planted thresholds come back by condition, and from the hie
   expect_true(all(abs(log10(model$effect_size) - log10(planted)) < 3.5 * error))
   anova <- tests_of(tests, kThresholdAnovaFamily)
   expect_lt(anova$p[anova$effect == "eccentricity_deg"], 1e-3)
+  # Whoever lacks a threshold is out with all trials.
+  lacks_one <- threshold_anova(study, functions$rows[-1, ])$rows
+  held <- functions$rows$participant != functions$rows$participant[1]
+  expect_equal(unique(lacks_one$participants), 5)
+  expect_equal(unique(lacks_one$trials), sum(functions$rows$trials[held]))
 })
 
 test_that("timed-out answers are no trials, are counted, and two kinds are not pooled", {
