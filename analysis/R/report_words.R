@@ -27,7 +27,16 @@ model_words <- function(tests, factor, response = "rating") {
     plain_name(factor), random_words(row$method), if (row$p_holm < kSignificance)
     paste(of$noun, "depended on", plain_name(factor)) else paste("an effect of",
       plain_name(factor), "was not detected, which is not evidence of its absence"),
-    chi_squared_words(row))
+    paste0(chi_squared_words(row), if (has_slope(row$method) && has_words(tests, of, factor)) paste0(
+      " (its slope takes the levels as 1, 2, 3: where participants differ in another order of them,",
+      " this test finds too much, and the ANOVA does not)")))
+}
+
+# Whether a factor has three levels or more that are words, by the names of its ratios.
+has_words <- function(tests, of, factor) {
+  levels <- sub("^.*?: (.*) against .*$", "\\1", level_comparisons(tests, of$ratios, factor)$effect,
+    perl = TRUE)
+  length(levels) > 1 && anyNA(suppressWarnings(as.numeric(levels)))
 }
 
 random_words <- function(method) paste("random", random_part(method), "for each participant")

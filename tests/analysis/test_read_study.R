@@ -149,6 +149,16 @@ test_that("kinds of scheduling have one order, whatever that of the protocol", {
   expect_equal(in_kinds_order(c("slips", "launches")), c("slips", "launches"))
 })
 
+test_that("a factor of three words or more is known by its ratios", {
+  of <- response_model("rating")
+  has <- function(effects) has_words(list(rows = data.frame(family = kOddsFamily,
+    effect = effects)), of, "kind")
+  expect_true(has(c("kind: tracked against all-good", "kind: random against all-good")))
+  expect_false(has("kind: slips against launches"))
+  expect_false(has(c("kind: 100 against 0", "kind: 300 against 0")))
+  expect_false(has(c("other: b against a", "other: c against a")))
+})
+
 test_that("ratios near 0 are told by their first digits", {
   expect_equal(ratio_size_words(data.frame(effect_size = c(0.00023, 1.61), interval_low = c(3.02e-5, 0.22),
     interval_high = c(0.00175, 11.63), interval_level = 0.95)),
