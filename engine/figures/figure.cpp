@@ -69,21 +69,22 @@ std::string problem_of_hinges(const Figure& figure) {
   return "";
 }
 
-/// Parts that are not at their hinges: nothing would bring them there.
-std::string problem_of_places(const Figure& figure, const std::vector<BodyState>& states) {
-  constexpr double kRounding = 1e-6;
+/// Parts that are not at their hinges, beyond what motion leaves: nothing would bring them there.
+std::string problem_of_places(const Figure& figure, const std::vector<BodyModel>& models,
+                              const std::vector<BodyState>& states) {
+  constexpr double kSlack = 0.01;  // of a part's reach, and in radians
   for (std::size_t i = 0; i < figure.hinges.size(); ++i) {
     const Hinge& hinge = figure.hinges[i];
     const Pose& child = states[at(hinge.child)].pose;
     const Pose& parent = states[at(hinge.parent)].pose;
     const double gap_m = anchor_gap_m(hinge, child, parent);
-    if (gap_m > kRounding * std::max(1.0, child.position.norm())) {
+    if (gap_m > kSlack * models[at(hinge.child)].tree->bounding_radius_m()) {
       return "expected the two parts of hinge " + std::to_string(i) +
              " where it joins them, got its places " + std::to_string(gap_m) + " m apart";
     }
     const Vector3 across =
         (child.orientation * hinge.of_child.axis).cross(parent.orientation * hinge.of_parent.axis);
-    if (across.norm() > kRounding) {
+    if (across.norm() > kSlack) {
       return "expected the two parts of hinge " + std::to_string(i) +
              " to turn about one axis, got two";
     }
@@ -199,7 +200,7 @@ std::string problem_of(const std::vector<Figure>& figures, const std::vector<Bod
     if (figure.first_part < first_free) {
       return "figure \"" + figure.name + "\": expected parts after those of the figure before it";
     }
-    problem = figure.driven ? "" : problem_of_places(figure, states);
+    problem = figure.driven ? "" : problem_of_places(figure, models, states);
     if (!problem.empty()) {
       return "figure \"" + figure.name + "\": " + problem;
     }
