@@ -12,7 +12,7 @@ methods_sentences <- function(path, protocol, parts) {
 # Of people, or of simulated participants where they are those who are analysed.
 people_words <- function(path, protocol, sessions) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
-  all_simulated <- all(analysed_enrolments(path, protocol)$simulated == 1)
+  all_simulated <- analyses_simulated(path, protocol)
   rows <- rows[rows$simulated == all_simulated, ]
   whole <- query_study(path, "SELECT DISTINCT participant FROM excluded WHERE trial IS NULL")
   out <- sum(rows$participant %in% whole$participant)

@@ -5,12 +5,22 @@
 # Who is analysed of a protocol, as keep_people_apart() has it: nobody who is left out whole, and
 # simulated participants only where there is no person.
 analysed_enrolments <- function(path, protocol) {
+  rows <- enrolments_not_left_out(path, protocol)
+  rows[analyses_simulated(path, protocol) | rows$simulated == 0, ]
+}
+
+# Are those who are analysed simulated? Those who enrolled are, where nobody is left to analyse.
+analyses_simulated <- function(path, protocol) {
+  left <- enrolments_not_left_out(path, protocol)
+  of_whom <- Filter(function(rows) nrow(rows) > 0, list(left[left$completed_trials > 0, ], left,
+    rows_of_view(path, "enrolment_summary", protocol)))[[1]]
+  all(of_whom$simulated == 1)
+}
+
+enrolments_not_left_out <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
   whole <- query_study(path, "SELECT participant FROM excluded WHERE trial IS NULL")$participant
-  rows <- rows[!rows$participant %in% whole, ]
-  with_trials <- rows$simulated[rows$completed_trials > 0]
-  all_simulated <- all((if (length(with_trials) > 0) with_trials else rows$simulated) == 1)
-  rows[all_simulated | rows$simulated == 0, ]
+  rows[!rows$participant %in% whole, ]
 }
 
 # Those of `rows` (participant, trial) whose trials are analysed: no catch trials, none left out.

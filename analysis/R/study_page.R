@@ -73,7 +73,7 @@ protocol_lines <- function(protocol, parts, path, folder) {
 
 # The box that stands above results that are of nobody but simulated participants.
 simulated_lines <- function(path, protocol) {
-  if (any(analysed_enrolments(path, protocol)$simulated == 0)) return(NULL)
+  if (!analyses_simulated(path, protocol)) return(NULL)
   paste0("<p class=\"simulated\">SIMULATED: every participant is simulated; these results describe an",
     " observer model, not people.</p>")
 }

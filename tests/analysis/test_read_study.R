@@ -141,6 +141,10 @@ test_that("the page's words are of those who are analysed: people, or simulated 
   expect_match(people_words(path, "causality", sessions), "^1 simulated participant took part")
   expect_match(simulated_lines(path, "causality"), "SIMULATED")
   expect_equal(participants_table(path, "causality")$left_out, c("a pilot", "a pilot", ""))
+  # Where nobody is left, those who enrolled are who took part.
+  add_exclusion(path, "P03", NA, "a pilot")
+  expect_match(people_words(path, "causality", sessions), "^2 participants took part")
+  expect_null(simulated_lines(path, "causality"))
 })
 
 test_that("kinds of scheduling have one order, whatever that of the protocol", {
