@@ -27,17 +27,13 @@ report_accuracy_study <- function(study) {
   trials <- study$trials
   trials$rating <- trials$correct  # what tests of participants' means go by
   rows <- accuracy_rows(trials, factor, study$published)
-  tests <- combine_outcomes(if (nlevels(droplevels(trials[[factor]])) > 1) accuracy_tests(trials, factor))
+  tests <- combine_outcomes(if (nlevels(droplevels(trials[[factor]])) > 1)
+    repeated_measures_tests(trials, factor, "an answer"))
   figures <- write_figure(function() ggplot2::ggplotGrob(accuracy_figure(trials, factor)),
     output_path(study, ""))
   write_outputs(study, tests, paste(c(accuracy_words(rows, factor), anova_words(tests, factor)),
     collapse = " "), study_sentences(study), accuracy_caption(trials, factor, study), NULL, figures,
     tables = list(accuracy = rows))
-}
-
-accuracy_tests <- function(trials, factor) {
-  tests <- repeated_measures_tests(trials, factor)
-  outcome(tests$rows, gsub("a rating in every cell", "an answer in every cell", tests$remarks))
 }
 
 # By level: the mean over participants of their shares of right answers, Student's 95 % interval, how

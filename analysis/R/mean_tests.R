@@ -11,27 +11,27 @@ kFriedmanFamily <- "Friedman"
 kEquivalenceFamily <- "equivalence"
 kEquivalenceMargin <- 0.15  # rating points, of a scale from 1 to 3
 
-left_out_remark <- function(test, count) {
+# `noun`: what a cell has from everybody who is in, such as "a rating".
+left_out_remark <- function(test, count, noun = "a rating") {
   if (count == 0) return(character())
-  sprintf("%d participant%s without a rating in every cell %s left out of %s.",
-    count, if (count == 1) "" else "s", if (count == 1) "is" else "are", test)
+  sprintf("%d participant%s without %s in every cell %s left out of %s.",
+    count, if (count == 1) "" else "s", noun, if (count == 1) "is" else "are", test)
 }
 
 # Repeated-measures ANOVA of participants' cell means, Greenhouse–Geisser corrected, with
 # generalised eta squared (Olejnik and Algina 2003). Participants with an empty cell are left out,
 # and counted.
-repeated_measures_tests <- function(trials, factors) {
+repeated_measures_tests <- function(trials, factors, noun = "a rating") {
   trials[factors] <- lapply(trials[factors], droplevels)
   between <- between_factors(trials, factors)
   within <- setdiff(factors, between)
   means <- means_within(trials, within)
   complete <- complete_participants(means)
   if (nrow(complete) < 2) {
-    return(outcome(remarks = paste(
-      "Fewer than two participants have a rating in every cell of the design, so there is no",
-      "repeated-measures ANOVA.")))
+    return(outcome(remarks = sprintf(paste("Fewer than two participants have %s in every cell of the",
+      "design, so there is no repeated-measures ANOVA."), noun)))
   }
-  remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
+  remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete), noun)
   kept <- trials[trials$participant %in% rownames(complete), c("participant", "rating", factors)]
   fit <- listen_to(fit_anova(kept, within, between))$value
   rounding <- 1e-12 * sum(kept$rating^2)  # in a sum of squares
@@ -166,12 +166,12 @@ pooled_test <- function(trials, label, factor, of, family) {
 }
 
 # Friedman's rank test of participants' means for each factor, with Kendall's W.
-friedman_tests <- function(trials, factors) {
+friedman_tests <- function(trials, factors, noun = "a rating") {
   between <- outcome(remarks = between_remark("No Friedman test", between_factors(trials, factors)))
   do.call(all_outcomes, c(list(between), lapply(within_factors(trials, factors), function(factor) {
     means <- participant_means(trials, factor)
     complete <- complete_participants(means)
-    remarks <- left_out_remark(paste("Friedman's test of", factor), nrow(means) - nrow(complete))
+    remarks <- left_out_remark(paste("Friedman's test of", factor), nrow(means) - nrow(complete), noun)
     if (nrow(complete) < 2) return(outcome(remarks = remarks))
     test <- stats::friedman.test(complete)
     if (!is.finite(test$statistic)) {

@@ -5,12 +5,12 @@
 # Sentences of the methods section of a protocol. `parts`: of parts_of_protocol, without refused ones.
 methods_sentences <- function(path, protocol, parts) {
   sessions <- rows_of_view(path, "session_provenance", protocol)
-  c(people_words(path, protocol, sessions), apparatus_words(sessions), device_words(path, sessions),
+  c(people_words(path, protocol), apparatus_words(sessions), device_words(path, sessions),
     unlist(lapply(parts, part_methods)), analysis_words(parts))
 }
 
 # Of people, or of simulated participants where they are those who are analysed.
-people_words <- function(path, protocol, sessions) {
+people_words <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
   all_simulated <- analyses_simulated(path, protocol)
   rows <- rows[rows$simulated == all_simulated, ]

@@ -50,11 +50,9 @@ tests_of_means <- function(part, measure) {
   trials <- part$trials
   factors <- unname(part$factors)
   trials$rating <- trials[[measure$of]]
-  result <- all_outcomes(repeated_measures_tests(trials, factors), friedman_tests(trials, factors))
-  if (part$response == "rating") {
-    return(all_outcomes(result, equivalence_tests(trials, factors, equivalence_margin(part$scale))))
-  }
-  outcome(result$rows, gsub("a rating in every cell", "a trial in every cell", result$remarks))
+  noun <- if (part$response == "rating") "a rating" else "a trial"
+  all_outcomes(repeated_measures_tests(trials, factors, noun), friedman_tests(trials, factors, noun),
+    if (part$response == "rating") equivalence_tests(trials, factors, equivalence_margin(part$scale)))
 }
 
 # What was found about one factor.

@@ -1,6 +1,8 @@
 # Who is analysed, their means, which are the unit of every test, and intervals of means over them.
 # SPDX-License-Identifier: MIT
 
+kAmongPeople <- "simulated, in a study that has people"  # why one is left out
+
 # Keeps people and simulated participants apart. Where a study has both, the simulated ones are
 # left out, and study$excluded says so: one row per participant left out, with the reason.
 keep_people_apart <- function(study) {
@@ -10,7 +12,7 @@ keep_people_apart <- function(study) {
   counts <- table(trials$participant[made_up & !all(made_up)])
   study$excluded <- data.frame(participant = as.character(names(counts)),
     trials = as.integer(counts),
-    reason = rep("simulated, in a study that has people", length(counts)))
+    reason = rep(kAmongPeople, length(counts)))
   if (length(counts) == 0) return(study)
   study$trials <- trials[!made_up, ]
   study$trials[study$factors] <- lapply(study$trials[study$factors], droplevels)

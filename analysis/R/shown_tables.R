@@ -32,56 +32,64 @@ analysed_rows <- function(path, protocol, rows) {
   rows[rows$participant %in% people & !rows$trial %in% c(catch, out), ]
 }
 
-# The collisions of the trials that are analysed: participant, trial and these columns of their view.
-analysed_collisions <- function(path, protocol, columns, ...) {
-  analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial,", columns,
-    "FROM seen_collision", ..., "WHERE protocol = ? AND phase = 'main'"), protocol))
+# The collisions of the trials that are analysed, for the tables and sentences below.
+analysed_collisions <- function(path, protocol) {
+  known <- query_study(path, "SELECT name FROM pragma_table_info('seen_collision')")$name
+  spin <- intersect("imposed_spin_a_x_rad_s", known)  # data of before have none
+  analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial, level, stopped,",
+    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share,",
+    "CAST(gaze_eccentricity_deg AS REAL) AS away_deg,", if (length(spin) > 0) paste(spin, "IS NOT NULL")
+    else "0", "AS spun FROM seen_collision WHERE protocol = ? AND phase = 'main'"), protocol))
+}
+
+# Each trial's level of each factor: trial, factor, of.
+levels_of_trials <- function(path) {
+  query_study(path, "SELECT trial, factor, CAST(level AS TEXT) AS of FROM trial_level")
 }
 
 # One row per participant of a protocol.
 participants_table <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
   whole <- query_study(path, "SELECT participant, reason FROM excluded WHERE trial IS NULL")
-  single <- query_study(path, "SELECT participant, trial FROM excluded WHERE trial IS NOT NULL")
-  trials <- table(factor(single$participant, rows$participant))
+  single <- query_study(path, paste("SELECT participant FROM excluded WHERE trial IN (SELECT trial FROM",
+    "(SELECT protocol, phase, trial FROM rated_trial UNION SELECT protocol, phase, trial FROM",
+    "trial_response UNION SELECT protocol, phase, trial FROM click_trial)",
+    "WHERE protocol = ? AND phase = 'main')"), protocol)
+  trials <- as.vector(table(factor(single$participant, rows$participant)))
   state <- ifelse(!is.na(rows$finished_utc), "finished",
     ifelse(rows$completed_trials > 0, "in progress", "enrolled"))
+  why <- ifelse(trials == 0, "", sprintf("%d trial%s", trials, ifelse(trials == 1, "", "s")))
+  why[!rows$participant %in% analysed_enrolments(path, protocol)$participant] <- kAmongPeople
   at <- match(rows$participant, whole$participant)
+  why[!is.na(at)] <- whole$reason[at[!is.na(at)]]
   data.frame(participant = rows$participant, who = ifelse(rows$simulated == 1, "simulated", "person"),
     planned = rows$planned_trials, completed = rows$completed_trials, sittings = rows$sessions,
     state = state, late = ifelse(rows$timed_frames > 0,
       sprintf("%.2f %%", 100 * rows$late_timed_frames / rows$timed_frames), NA),
-    left_out = ifelse(!is.na(at), whole$reason[at],
-      ifelse(!rows$participant %in% analysed_enrolments(path, protocol)$participant,
-        "simulated, in a study that has people",
-        ifelse(trials == 0, "", sprintf("%d trial%s", trials, ifelse(trials == 1, "", "s"))))))
+    left_out = why)
 }
 
 kParticipantHeads <- c("Participant", "Who", "Main trials planned", "completed", "Sittings", "State",
   "Late frames", "Left out, why")
 
 # Sentences about timing, freezes, collisions and gaze of the trials of a protocol that are analysed.
-shown_sentences <- function(path, protocol) {
+shown_sentences <- function(path, protocol, collisions) {
   rows <- analysed_rows(path, protocol, rows_of_view(path, "rated_trial", protocol))
   popped <- analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial, pops,",
     "largest_pop_deg FROM popped_step WHERE protocol = ? AND phase = 'main'"), protocol))
   c(
     frame_sentences(analysed_enrolments(path, protocol)),
-    hold_sentence(rows), gaze_shown_sentences(rows), collision_sentences(path, protocol),
-    spin_sentences(path, protocol), pop_sentence(popped))
+    hold_sentence(rows), gaze_shown_sentences(rows), collision_sentences(collisions),
+    spin_sentences(collisions, levels_of_trials(path)), pop_sentence(popped))
 }
 
 # Factors of which some levels were shown with random spin and others without.
-spin_sentences <- function(path, protocol) {
-  known <- query_study(path, "SELECT name FROM pragma_table_info('seen_collision')")$name
-  if (!"imposed_spin_a_x_rad_s" %in% known) return(character())  # data of before
-  rows <- analysed_collisions(path, protocol, "imposed_spin_a_x_rad_s IS NOT NULL AS spun")
+spin_sentences <- function(rows, levels) {
   if (sum(rows$spun) == 0) return(character())
-  levels <- query_study(path, "SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level")
   levels <- levels[levels$trial %in% rows$trial, ]
   levels$spun <- levels$trial %in% rows$trial[rows$spun == 1]
   unlist(lapply(split(levels, levels$factor), function(mine) {
-    share <- tapply(mine$spun, factor(mine$level, in_order(unique(mine$level))), mean)
+    share <- tapply(mine$spun, factor(mine$of, in_order(unique(mine$of))), mean)
     if (max(share) - min(share) < 1e-9) return(character())
     sprintf(paste("CONFOUNDED: random spin was imposed at some levels of %s only (share of trials: %s),",
       "so an effect of it cannot be told from one of randomness."), plain_name(mine$factor[1]),
@@ -120,8 +128,7 @@ gaze_shown_sentences <- function(rows) {
       "(at most %.1f %% of a trial)."), 100 * mean(lost), 100 * max(lost)))
 }
 
-collision_sentences <- function(path, protocol) {
-  rows <- analysed_collisions(path, protocol, "gap_arcmin")
+collision_sentences <- function(rows) {
   if (nrow(rows) == 0) return("No collision was recorded in the main trials.")
   measured <- sum(!is.na(rows$gap_arcmin))
   c(
@@ -140,9 +147,7 @@ pop_sentence <- function(rows) {
 }
 
 # Collisions of the main trials by the level that was reached: why refinement stopped, and gaps.
-levels_reached <- function(path, protocol) {
-  rows <- analysed_collisions(path, protocol, paste("level, stopped,",
-    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share"))
+levels_reached <- function(rows) {
   if (nrow(rows) == 0) return(NULL)
   gaps_by(rows, rows$level, function(cell) data.frame(stopped = paste(vapply(names(table(
     cell$stopped)), function(why) sprintf("%s: %.0f %%", why, 100 * mean(cell$stopped == why)), ""),
@@ -153,18 +158,16 @@ kLevelHeads <- c("Level reached", "Collisions", "Share", "Gap, median (′)", "G
   "Hidden share, median", "Refinement ended at")
 
 # The same by each level of each factor of the design: what a condition really looked like.
-levels_by_factor <- function(path, protocol) {
-  rows <- analysed_collisions(path, protocol, paste(
-    "factor, CAST(trial_level.level AS TEXT) AS of, seen_collision.level AS reached, stopped,",
-    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share"),
-    "JOIN trial_level USING (trial)")
+levels_by_factor <- function(rows, levels) {
   if (nrow(rows) == 0) return(NULL)
-  each_row(split(rows, rows$factor), function(mine) {
+  each_row(split(levels, levels$factor), function(of_trials) {
+    mine <- rows[rows$trial %in% of_trials$trial, ]
+    mine$of <- of_trials$of[match(mine$trial, of_trials$trial)]
     levels <- in_order(unique(mine$of))
     if (length(levels) < 2 || length(levels) > 12) return(NULL)
     table <- gaps_by(mine, factor(mine$of, levels), function(cell) data.frame(
-      reached = paste(range(cell$reached)[c(TRUE, diff(range(cell$reached)) > 0)], collapse = " to ")))
-    cbind(factor = label_of(mine$factor[1]), table)
+      reached = paste(range(cell$level)[c(TRUE, diff(range(cell$level)) > 0)], collapse = " to ")))
+    cbind(factor = label_of(of_trials$factor[1]), table)
   })
 }
 
@@ -178,15 +181,12 @@ kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (�
   "Gap, 95 % below (′)", "Hidden share, median", "Levels of the tree reached")
 
 # The same by how far from the gaze they began, where it was followed: which levels were looked at.
-levels_looked_at <- function(path, protocol) {
-  rows <- analysed_collisions(path, protocol, paste(
-    "CAST(gaze_eccentricity_deg AS REAL) AS away_deg, level AS reached,",
-    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share"))
+levels_looked_at <- function(rows) {
   rows <- rows[!is.na(rows$away_deg), ]
   if (nrow(rows) == 0) return(NULL)
   away <- cut(rows$away_deg, c(0, 2, 5, 10, Inf), include.lowest = TRUE,
     labels = c("within 2°", "2° to 5°", "5° to 10°", "beyond 10°"))
-  gaps_by(rows, away, function(cell) data.frame(reached = mean(cell$reached)))
+  gaps_by(rows, away, function(cell) data.frame(reached = mean(cell$level)))
 }
 
 kLookedAtHeads <- c("From the gaze", "Collisions", "Share", "Gap, median (′)",

@@ -128,10 +128,11 @@ levels_words <- function(levels, many) {
 }
 
 shown_lines <- function(path, protocol) {
-  reached <- levels_reached(path, protocol)
-  by_factor <- levels_by_factor(path, protocol)
-  looked_at <- levels_looked_at(path, protocol)
-  c(html_paragraphs(paste(shown_sentences(path, protocol), collapse = " ")),
+  collisions <- analysed_collisions(path, protocol)
+  reached <- levels_reached(collisions)
+  by_factor <- levels_by_factor(collisions, levels_of_trials(path))
+  looked_at <- levels_looked_at(collisions)
+  c(html_paragraphs(paste(shown_sentences(path, protocol, collisions), collapse = " ")),
     if (!is.null(reached)) html_table(reached, kLevelHeads),
     if (!is.null(by_factor)) c("<h4>By condition</h4>", html_table(by_factor, kFactorLevelHeads)),
     if (!is.null(looked_at)) c("<h4>By distance from the gaze</h4>",

@@ -31,7 +31,7 @@ threshold_tests <- function(study, rows) {
 
 threshold_anova <- function(study, rows) {
   rows$rating <- rows$threshold
-  result <- repeated_measures_tests(rows, study$split)
+  result <- repeated_measures_tests(rows, study$split, "a threshold")
   if (!is.null(result$rows)) {
     result$rows$family <- kThresholdAnovaFamily
     result$rows$method <- sub("cell means", if (isTRUE(study$log10)) "log₁₀ thresholds" else "thresholds",
@@ -40,7 +40,7 @@ threshold_anova <- function(study, rows) {
     complete <- complete_participants(means_within(rows, within_factors(rows, study$split)))
     result$rows$trials <- sum(rows$trials[as.character(rows$participant) %in% rownames(complete)])
   }
-  outcome(result$rows, gsub("a rating in every cell", "a threshold in every cell", result$remarks))
+  result
 }
 
 # Functions without a threshold, or with one outside the levels shown, by participant; bad fits.

@@ -33,7 +33,7 @@ exposure_study <- function(...) {
 }
 
 test_that("the levels that were looked at are told by how far from the gaze they were", {
-  told <- levels_looked_at(exposure_file(), "gaze-contingent")
+  told <- levels_looked_at(analysed_collisions(exposure_file(), "gaze-contingent"))
   expect_equal(told$level, c("within 2°", "2° to 5°", "5° to 10°"))
   expect_equal(told$collisions, c(2, 1, 4))  # the one at 10 degrees is the last of its kind
   expect_equal(told$share, c("28.6 %", "14.3 %", "57.1 %"))
@@ -43,15 +43,16 @@ test_that("the levels that were looked at are told by how far from the gaze they
 
 test_that("what was shown is that of the trials that are analysed", {
   path <- exposure_file()
-  shown <- function() collision_sentences(path, "gaze-contingent")[1]
+  collisions <- function() analysed_collisions(path, "gaze-contingent")
+  shown <- function() collision_sentences(collisions())[1]
   expect_equal(shown(), "8 collisions in 3 main trials.")
   add_exclusion(path, "P1", 1, "a phone rang")
   expect_equal(shown(), "3 collisions in 2 main trials.")
-  expect_equal(sum(levels_reached(path, "gaze-contingent")$collisions), 3)
+  expect_equal(sum(levels_reached(collisions())$collisions), 3)
   expect_equal(participants_table(path, "gaze-contingent")$left_out, c("1 trial", ""))
   add_exclusion(path, "P1", NA, "fell asleep")
   expect_equal(shown(), "1 collision in 1 main trial.")
-  expect_equal(sum(levels_reached(path, "gaze-contingent")$collisions), 1)
+  expect_equal(sum(levels_reached(collisions())$collisions), 1)
 })
 
 test_that("collisions of one sort closer than the limit are one event, however long the series", {

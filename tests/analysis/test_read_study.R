@@ -132,18 +132,17 @@ test_that("the page's words are of those who are analysed: people, or simulated 
   trials <- causality_trials(seed = 68, participants = 3, repetitions = 1)
   trials$simulated <- as.integer(trials$participant == "P03")
   path <- write_study(at("a.sqlite"), trials)
-  sessions <- rows_of_view(path, "session_provenance", "causality")
-  expect_match(people_words(path, "causality", sessions), "^2 participants took part")
+  expect_match(people_words(path, "causality"), "^2 participants took part")
   expect_null(simulated_lines(path, "causality"))
   expect_equal(participants_table(path, "causality")$left_out,
     c("", "", "simulated, in a study that has people"))
   add_exclusion(add_exclusion(path, "P01", NA, "a pilot"), "P02", NA, "a pilot")
-  expect_match(people_words(path, "causality", sessions), "^1 simulated participant took part")
+  expect_match(people_words(path, "causality"), "^1 simulated participant took part")
   expect_match(simulated_lines(path, "causality"), "SIMULATED")
   expect_equal(participants_table(path, "causality")$left_out, c("a pilot", "a pilot", ""))
   # Where nobody is left, those who enrolled are who took part.
   add_exclusion(path, "P03", NA, "a pilot")
-  expect_match(people_words(path, "causality", sessions), "^2 participants took part")
+  expect_match(people_words(path, "causality"), "^2 participants took part")
   expect_null(simulated_lines(path, "causality"))
 })
 

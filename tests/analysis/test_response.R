@@ -46,10 +46,13 @@ test_that("a level confounded with random spin is called so", {
 
 test_that("the report of any study calls it so, too", {
   trials <- response_trials(402, 2, 0.5)
-  words <- spin_sentences(response_file(trials), "response")
+  sentences <- function(path) {
+    spin_sentences(analysed_collisions(path, "response"), levels_of_trials(path))
+  }
+  words <- sentences(response_file(trials))
   expect_equal(words, paste("CONFOUNDED: random spin was imposed at some levels of level only (share of",
     "trials: 0: 100 %; 2: 0 %; 4: 0 %), so an effect of it cannot be told from one of randomness."))
-  expect_length(spin_sentences(response_file(trials, spin = FALSE), "response"), 0)
+  expect_length(sentences(response_file(trials, spin = FALSE)), 0)
 })
 
 test_that("the planted effect of the spin's size comes back", {
