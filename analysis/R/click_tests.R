@@ -26,8 +26,8 @@ click_model_tests <- function(trials) {
   if (is.null(models) || !is.null(models$failure)) return(outcome(fitted$rows, fitted$remarks))
   result <- outcome(fitted$rows, c(fitted$remarks, dispersion_remark(models)))
   if (length(factors) < 2 || has_cell_without_clicks(trials)) return(result)
-  both <- fit_models(trials, c(factors, "scheduling:bodies"), "scheduling", "scheduling:bodies",
-    "clicks", "mixed model of clicks with interaction")
+  both <- fit_models(trials, c(factors, "scheduling:bodies"), "scheduling:bodies",
+    "scheduling:bodies", "clicks", "mixed model of clicks with interaction")
   all_outcomes(result,
     model_tests(both, trials, "scheduling:bodies", families = c(kClickInteractionFamily, NA)))
 }

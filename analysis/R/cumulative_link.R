@@ -1,15 +1,22 @@
-# The fit of a cumulative-link mixed model: ratings with an intercept, and perhaps a slope, of each
-# participant, by Laplace's approximation and its exact gradient.
+# The fit of a cumulative-link mixed model: ratings with random effects of each participant, by
+# Laplace's approximation and its exact gradient.
 #
-#   P(rating <= k) = F(alpha_k - eta),   eta = x' beta + z' L u,   z = (1, slope),   u ~ N(0, I)
+#   P(rating <= k) = F(alpha_k - eta),   eta = x' beta + z' L u,   u ~ N(0, I) of each participant
 #   inner:  u of each participant at the top of its likelihood, by Newton's method
 #   outer:  minimise sum over participants of h + 1/2 log det H, where
 #           h = u'u / 2 - log P(the participant's ratings | u) and H is its second derivative in u
 #
+# z says what of u a rating sees, and L how much of it: a matrix whose elements are the parameters,
+# which random_effects() places.
+#
+#   intercept            z = 1                    L = a
+#   intercept and slope  z = (1, slope)           L = (a, 0; b, c)
+#   levels, cells        z = (1, 0 0 1 0, ...)    L = diagonal, one parameter for all levels of a term
+#
 # The model and its approximation are those of ordinal::clmm (Christensen 2018), which takes the
-# outer derivatives by differences and a hundred times as long; the tests compare the two.
-# L = (a, 0; b, c) is lower triangular; every participant's 2 by 2 matrices are written out, so that
-# all participants are computed at once. An intercept alone is z = (1, 0) and L = (a, 0; 0, 0).
+# outer derivatives by differences and a hundred times as long; the tests compare the two. Matrices of
+# each participant are rows of one matrix, column by column, so that all participants are computed at
+# once.
 # SPDX-License-Identifier: MIT
 
 kFarOut <- 200  # stands for infinity: F is 0 or 1 there to the last digit, whatever the link
@@ -32,39 +39,77 @@ kLinks <- list(
       f2 = f * ((1 - rate)^2 - rate))
   })
 
-# The fit from `start`, c(alpha, beta), and `spread`, c(a, b, c): list(alpha, beta, covariance (of
-# beta), log_likelihood, df (coefficients), spread, deviations, eta, gradient, Hessian), or
-# list(failure = words).
-# `design`: one row per rating, without an intercept; `slope`: NULL for an intercept alone;
-# `person`: whole numbers from 1.
-fit_cumulative_link <- function(rating, design, person, slope, link, start, spread) {
-  data <- list(rating = rating, design = design, person = person, link = kLinks[[link]],
-    slope = if (is.null(slope)) numeric(length(rating)) else slope, people = max(person),
-    thresholds = max(rating) - 1, free = if (is.null(slope)) 1 else 1:3)
+# The random effects in lme4's words, such as "(1 + slope | participant)" or "(1 | participant) +
+# (1 | participant:level)", of each row of trials: list(Z, rows by elements of u; places, of each
+# parameter of L its elements as matrix(row, column); of, what deviates by it).
+random_effects <- function(trials, random) {
+  if (has_slope(random)) {
+    return(list(Z = cbind(1, trials$slope), of = c("intercept", "slope", "slope"),
+      places = list(cbind(1, 1), cbind(2, 1), cbind(2, 2))))
+  }
+  terms <- random_terms(random)
+  Z <- lapply(terms, function(columns) {
+    if (length(columns) == 0) return(matrix(1, nrow(trials)))
+    cell <- as.integer(interaction(trials[columns], drop = TRUE))
+    outer(cell, seq_len(max(cell)), `==`) + 0
+  })
+  of_term <- rep(seq_along(Z), vapply(Z, ncol, 0L))
+  list(Z = do.call(cbind, Z), places = lapply(seq_along(Z), function(term) {
+    cbind(which(of_term == term), which(of_term == term))
+  }), of = c("intercept", vapply(terms[-1], paste, "", collapse = " × ")))
+}
+
+# The columns whose levels within a participant have an effect, of each term without a slope.
+random_terms <- function(random) {
+  of <- regmatches(random, gregexpr("participant[^)]*", random))[[1]]
+  lapply(strsplit(of, ":", fixed = TRUE), `[`, -1)
+}
+
+# The fit from `start`, c(alpha, beta), and `spread`, the parameters of L: list(alpha, beta,
+# covariance (of beta), log_likelihood, df (coefficients), spread, deviations, eta, gradient,
+# Hessian), or list(failure = words).
+# `design`: one row per rating, without an intercept; `person`: whole numbers from 1.
+fit_cumulative_link <- function(rating, design, person, random, link, start, spread) {
+  data <- link_data(rating, design, person, random, link)
   at <- remembered_fit(data)
-  start <- c(start, spread[data$free])
-  found <- stats::nlminb(start, function(place) at(place)$value, function(place) at(place)$gradient,
-    control = list(eval.max = 1000, iter.max = 500))
+  found <- stats::nlminb(c(start, spread), function(place) at(place)$value,
+    function(place) at(place)$gradient, control = list(eval.max = 1000, iter.max = 500))
   described_link_fit(data, at, found)
+}
+
+# What every evaluation needs; `parts`: each parameter's derivative of L; `pairs`: products of two
+# columns of Z, where they are not 0 throughout; `pair_at`: of each element of a matrix, its pair.
+link_data <- function(rating, design, person, random, link) {
+  q <- ncol(random$Z)
+  elements <- expand.grid(row = seq_len(q), column = seq_len(q))
+  pairs <- subset(elements, row <= column)
+  products <- random$Z[, pairs$row, drop = FALSE] * random$Z[, pairs$column, drop = FALSE]
+  met <- colSums(products != 0) > 0
+  pair_at <- outer(pmin(elements$row, elements$column), pairs$row[met], `==`) *
+    outer(pmax(elements$row, elements$column), pairs$column[met], `==`)
+  list(rating = rating, design = design, person = person, link = kLinks[[link]], Z = random$Z,
+    pairs = products[, met, drop = FALSE], pair_at = pair_at,
+    parts = lapply(random$places, function(place) replace(matrix(0, q, q), place, 1)),
+    of = random$of, people = max(person), thresholds = max(rating) - 1)
 }
 
 # The objective at a place, as a function that begins each search for u where the last one ended and
 # computes the same place once.
 remembered_fit <- function(data) {
-  last <- list(place = NULL, u = matrix(0, data$people, 2))
+  last <- list(place = NULL, u = matrix(0, data$people, ncol(data$Z)))
   function(place) {
     if (!identical(place, last$place)) last <<- laplace_at(data, place, last$u)
     last
   }
 }
 
-# What a place says: alpha, beta and L's a, b, c.
+# What a place says: alpha, beta, the parameters of L, L, and LL, by which L' M L is one product.
 parts_of_place <- function(data, place) {
   alpha <- seq_len(data$thresholds)
   beta <- data$thresholds + seq_len(ncol(data$design))
-  spread <- numeric(3)
-  spread[data$free] <- place[-c(alpha, beta)]
-  list(alpha = place[alpha], beta = place[beta], a = spread[1], b = spread[2], c = spread[3])
+  spread <- place[-c(alpha, beta)]
+  L <- Reduce(`+`, Map(`*`, spread, data$parts))
+  list(alpha = place[alpha], beta = place[beta], spread = spread, L = L, LL = L %x% L)
 }
 
 # list(place, value, gradient, u, eta) of the objective. `u`: where the search for u begins.
@@ -75,7 +120,7 @@ laplace_at <- function(data, place, u) {
   }
   fixed <- as.vector(data$design %*% parts$beta)
   inner <- top_of_likelihood(data, parts, fixed, u)
-  value <- sum(inner$h) + sum(log(inner$det)) / 2
+  value <- sum(inner$h) + sum(inner$log_det) / 2
   list(place = place, value = value, gradient = laplace_gradient(data, parts, inner), u = inner$u,
     eta = inner$eta)
 }
@@ -85,8 +130,8 @@ laplace_at <- function(data, place, u) {
 top_of_likelihood <- function(data, parts, fixed, u) {
   here <- likelihood_at(data, parts, fixed, u)
   for (round in 1:100) {
-    if (max(abs(here$g1), abs(here$g2)) < 1e-9) break
-    step <- cbind(here$V11 * here$g1 + here$V12 * here$g2, here$V12 * here$g1 + here$V22 * here$g2)
+    if (max(abs(here$g)) < 1e-9) break
+    step <- times_each(here$V, here$g)
     repeat {
       there <- likelihood_at(data, parts, fixed, here$u - step)
       worse <- !(there$h <= here$h + 1e-9 * abs(here$h))
@@ -98,27 +143,47 @@ top_of_likelihood <- function(data, parts, fixed, u) {
   here
 }
 
-# At given u: h of each participant, its gradient g and the inverse V of its second derivative.
+# At given u: h of each participant, its gradient g and the inverse V of its second derivative H;
+# S and M: the sums over a participant of Z l1 and of -Z Z' l2.
 likelihood_at <- function(data, parts, fixed, u) {
-  effects <- cbind(parts$a * u[, 1], parts$b * u[, 1] + parts$c * u[, 2])
-  eta <- fixed + effects[data$person, 1] + data$slope * effects[data$person, 2]
+  eta <- fixed + rowSums(data$Z * (u %*% t(parts$L))[data$person, , drop = FALSE])
   terms <- rating_terms(data, parts$alpha, eta)
-  s <- data$slope
-  sums <- rowsum(cbind(terms$log_p, terms$l1, s * terms$l1, -terms$l2, -s * terms$l2,
-    -s^2 * terms$l2), data$person, reorder = TRUE)
-  with(parts, {
-    M11 <- sums[, 4]
-    M12 <- sums[, 5]
-    M22 <- sums[, 6]
-    H11 <- 1 + a^2 * M11 + 2 * a * b * M12 + b^2 * M22
-    H12 <- c * (a * M12 + b * M22)
-    H22 <- 1 + c^2 * M22
-    det <- H11 * H22 - H12^2
-    list(u = u, eta = eta, terms = terms, h = rowSums(u^2) / 2 - sums[, 1], det = det,
-      S1 = sums[, 2], S2 = sums[, 3], M11 = M11, M12 = M12, M22 = M22,
-      g1 = u[, 1] - a * sums[, 2] - b * sums[, 3], g2 = u[, 2] - c * sums[, 3],
-      V11 = H22 / det, V12 = -H12 / det, V22 = H11 / det)
-  })
+  S <- sums_of_each(data, data$Z * terms$l1)
+  M <- tcrossprod(sums_of_each(data, data$pairs * -terms$l2), data$pair_at)
+  H <- M %*% parts$LL
+  H <- H + rep(diag(ncol(u)), each = nrow(u))
+  inverse <- inverse_of_each(H)
+  list(u = u, eta = eta, terms = terms, h = rowSums(u^2) / 2 - sums_of_each(data, terms$log_p)[, 1],
+    log_det = inverse$log_det, S = S, M = M, g = u - S %*% parts$L, V = inverse$V)
+}
+
+sums_of_each <- function(data, x) rowsum(x, data$person, reorder = TRUE)
+
+# The inverse of each row's symmetric positive-definite matrix, by Gauss and Jordan, and the
+# logarithm of its determinant.
+inverse_of_each <- function(A) {
+  q <- sqrt(ncol(A))
+  row_of <- rep(seq_len(q), q)
+  column_of <- rep(seq_len(q), each = q)
+  log_det <- 0
+  for (k in seq_len(q)) {
+    column <- A[, column_of == k, drop = FALSE]
+    pivot <- column[, k]
+    row <- A[, row_of == k, drop = FALSE] / pivot
+    A <- A - column[, row_of, drop = FALSE] * row[, column_of, drop = FALSE]
+    A[, row_of == k] <- row
+    A[, column_of == k] <- -column / pivot
+    A[, (k - 1) * q + k] <- 1 / pivot
+    log_det <- log_det + log(pivot)
+  }
+  list(V = A, log_det = log_det)
+}
+
+# Each row's matrix by the same row's vector.
+times_each <- function(A, x) {
+  q <- ncol(x)
+  products <- A * x[, rep(seq_len(q), each = q), drop = FALSE]
+  products %*% (matrix(1, q) %x% diag(q))
 }
 
 # log P of each rating, and its first three derivatives in eta (l1, l2, l3); `high` and `low`: what
@@ -146,40 +211,30 @@ threshold_terms <- function(terms, edge, sign) {
     second * terms$l1 - first * terms$l2)
 }
 
-# The exact gradient of the objective. v is the variance of eta given the ratings, K the sum of v l3
-# over a participant; what a change of u adds through H is carried by r = L V L' K.
+# The exact gradient of the objective. v is the variance of eta given the ratings, K the sum of Z v l3
+# over a participant; what a change of u adds through H is carried by r = L W, W = V L' K.
 laplace_gradient <- function(data, parts, inner) {
-  s <- data$slope
-  person <- data$person
   terms <- inner$terms
-  spread <- with(c(parts, inner), {
-    G11 <- a^2 * V11
-    G12 <- a * (b * V11 + c * V12)
-    G22 <- b^2 * V11 + 2 * b * c * V12 + c^2 * V22
-    v <- G11[person] + 2 * s * G12[person] + s^2 * G22[person]
-    K <- rowsum(cbind(v * terms$l3, s * v * terms$l3), person, reorder = TRUE)
-    W1 <- V11 * (a * K[, 1] + b * K[, 2]) + V12 * c * K[, 2]
-    W2 <- V12 * (a * K[, 1] + b * K[, 2]) + V22 * c * K[, 2]
-    r1 <- a * W1
-    r2 <- b * W1 + c * W2
-    u1 <- u[, 1]
-    u2 <- u[, 2]
-    list(v = v, carried = r1[person] + s * r2[person], gradient = c(
-      sum((M11 * a + M12 * b) * V11 + M12 * c * V12 - S1 * u1 - K[, 1] * u1 / 2 - S1 * W1 / 2 +
-        (M11 * r1 + M12 * r2) * u1 / 2),
-      sum((M12 * a + M22 * b) * V11 + M22 * c * V12 - S2 * u1 - K[, 2] * u1 / 2 - S2 * W1 / 2 +
-        (M12 * r1 + M22 * r2) * u1 / 2),
-      sum((M12 * a + M22 * b) * V12 + M22 * c * V22 - S2 * u2 - K[, 2] * u2 / 2 - S2 * W2 / 2 +
-        (M12 * r1 + M22 * r2) * u2 / 2)))
-  })
-  total <- function(d1, d2, d3) d1 + spread$v * d3 / 2 + spread$carried * d2 / 2
+  L <- parts$L
+  M <- inner$M
+  v <- rowSums((tcrossprod(inner$V, parts$LL) %*% data$pair_at)[data$person, , drop = FALSE] * data$pairs)
+  K <- sums_of_each(data, data$Z * (v * terms$l3))
+  W <- times_each(inner$V, K %*% L)
+  r <- W %*% t(L)
+  carried <- rowSums(data$Z * r[data$person, , drop = FALSE])
+  of_spread <- vapply(data$parts, function(D) {
+    Du <- inner$u %*% t(D)
+    sum(M * (inner$V %*% t(D %x% L))) - sum((inner$S + K / 2) * Du) -
+      sum(inner$S * (W %*% t(D))) / 2 + sum(r * times_each(M, Du)) / 2
+  }, 0)
+  total <- function(d1, d2, d3) d1 + v * d3 / 2 + carried * d2 / 2
   high <- do.call(total, threshold_terms(terms, terms$high, 1))
   low <- do.call(total, threshold_terms(terms, terms$low, -1))
   of_alpha <- vapply(seq_len(data$thresholds), function(k) {
     sum(high[data$rating == k]) + sum(low[data$rating == k + 1])
   }, 0)
   of_beta <- crossprod(data$design, total(terms$l1, terms$l2, terms$l3))
-  c(-of_alpha, -of_beta, spread$gradient[data$free])
+  c(-of_alpha, -of_beta, of_spread)
 }
 
 # The fit at the place that was found, or why it is none. A participant's spread of 0 is at the edge
@@ -188,8 +243,9 @@ described_link_fit <- function(data, at, found) {
   here <- at(found$par)
   if (anyNA(here$gradient)) return(list(failure = "the optimiser found no likelihood"))
   parts <- parts_of_place(data, found$par)
-  of_spread <- utils::tail(seq_along(found$par), length(data$free))
-  edge <- of_spread[abs(c(parts$a, parts$a, parts$c))[data$free] < kNoSpread]
+  of_spread <- utils::tail(seq_along(found$par), length(data$parts))
+  # Where a column of L has nothing on its diagonal, the rest of it turns an element of u alone.
+  edge <- of_spread[abs(diag(parts$L))[column_of_parameter(data)] < kNoSpread]
   inside <- setdiff(seq_along(found$par), edge)
   Hessian <- derivative_of_gradient(at, found$par)[inside, inside, drop = FALSE]
   covariance <- listen_to(chol2inv(chol(Hessian)))$value
@@ -208,10 +264,15 @@ described_link_fit <- function(data, at, found) {
   names <- colnames(data$design)
   list(alpha = parts$alpha, beta = stats::setNames(parts$beta, names),
     covariance = matrix(covariance[of_beta, of_beta], length(names), dimnames = list(names, names)),
-    log_likelihood = -here$value, df = length(parts$beta), spread = c(parts$a, parts$b, parts$c),
-    deviations = c(intercept = abs(parts$a),
-      if (length(data$free) == 3) c(slope = sqrt(parts$b^2 + parts$c^2))),
-    eta = here$eta, gradient = here$gradient, Hessian = Hessian)
+    log_likelihood = -here$value, df = length(parts$beta), spread = parts$spread,
+    deviations = vapply(split(parts$spread^2, factor(data$of, unique(data$of))), function(squares) {
+      sqrt(sum(squares))
+    }, 0), eta = here$eta, gradient = here$gradient, Hessian = Hessian)
+}
+
+# The first column of L in which each parameter stands.
+column_of_parameter <- function(data) {
+  vapply(data$parts, function(D) which(colSums(D) > 0)[1], 0L)
 }
 
 kBelowTop <- 1e-5  # of log likelihood: a hundredth of what fit_rating_model takes for a better model

@@ -1,31 +1,35 @@
 # Mixed models of ratings, answers and clicks: one way to fit them, to fall back and to test.
 #
-#   response ~ terms + (1 + slope | participant)     tried first
-#   response ~ terms + (1 | participant)             when that does not converge
+#   what is tested                 effects that participants differ in, beside their intercepts
+#   a factor of numbers, or of     its slope
+#     two levels
+#   a factor of words              each level:  (1 | participant:a)
+#   an interaction of a and b      each level and each cell:  (1 | participant:a) +
+#                                  (1 | participant:b) + (1 | participant:a:b)
+#   a factor between participants  none: each has one level of it
 #
-# Each factor is tested in a model of its own, with its own slope, beside all other factors as fixed
-# effects: a test of a factor without its slope takes differences between participants for an effect
-# of it (Barr 2013). A factor between participants, of which each has one level, has no slope. A slope
-# runs over the numbers of a factor, or over 1, 2, 3 where its levels are words: the test of such a
-# factor depends on their order, and rejects too often where participants differ in another one. A
-# likelihood-ratio test compares two models with the same random part and distribution, so models that
-# are compared fall back together. What a response adds is in response_models.R.
+# Each factor and each interaction is tested in a model of its own, with these, beside all other
+# factors as fixed effects: a test without them takes differences between participants for an effect
+# (Barr 2013). Where that does not converge, (1 | participant:a:b) alone of an interaction, and then
+# (1 | participant) alone is tried. A likelihood-ratio test compares two models with the same random
+# part and distribution, so models that are compared fall back together. What a response adds is in
+# response_models.R.
 # SPDX-License-Identifier: MIT
 
 # The full model and, for each tested term, the model without it, by the first of the response's
 # attempts that converges for all: list(full, reduced, attempt, response, remarks), or failure and
-# remarks. `slope_of`: the factor whose effect may differ between participants, or none.
-fit_models <- function(trials, terms, slope_of, tested = terms, response = "rating",
+# remarks. `differing`: the factor or the interaction "a:b" whose effect may differ between
+# participants, or none.
+fit_models <- function(trials, terms, differing, tested = terms, response = "rating",
                        kind = "mixed model") {
   of <- response_model(response)
-  attempts <- of$attempts
   columns <- Filter(function(name) is.factor(trials[[name]]),
-    unique(c(slope_of, unlist(strsplit(terms, ":", fixed = TRUE)))))
+    unique(unlist(strsplit(c(differing, terms), ":", fixed = TRUE))))
   trials[columns] <- lapply(trials[columns], droplevels)
-  if (length(slope_of) == 1) trials$slope <- slope_values(trials[[slope_of]]) else
-    attempts <- Filter(function(attempt) !has_slope(attempt[["random"]]), attempts)
+  random <- random_parts(trials, differing)
+  if (has_slope(random[1])) trials$slope <- slope_values(trials[[differing]])
   remarks <- character()
-  for (attempt in attempts) {
+  for (attempt in attempts_of(of$distributions, random)) {
     full <- of$fit(trials, terms, attempt, NULL)
     fits <- c(list(full), if (is.null(full$failure)) lapply(tested, function(term) {
       of$fit(trials, setdiff(terms, term), attempt, full)
@@ -42,11 +46,43 @@ fit_models <- function(trials, terms, slope_of, tested = terms, response = "rati
   list(failure = failure, remarks = c(remarks, sprintf("No %s is reported.", kind)))
 }
 
+# Every random part with the first distribution, then with the next.
+attempts_of <- function(distributions, random) {
+  unlist(lapply(distributions, function(distribution) {
+    lapply(random, function(part) c(random = part, distribution = distribution))
+  }), recursive = FALSE)
+}
+
+# The random parts to be tried for a test of `differing`, the fullest first.
+random_parts <- function(trials, differing) {
+  columns <- Filter(function(column) {
+    !is.factor(trials[[column]]) || length(between_factors(trials, column)) == 0
+  }, as.character(unlist(strsplit(differing, ":", fixed = TRUE))))
+  in_words <- function(terms) paste(sprintf("(1 | %s)", terms), collapse = " + ")
+  within <- paste0("participant:", columns)
+  c(if (length(columns) == 2) c(
+      in_words(c("participant", within, paste0(within[1], ":", columns[2]))),
+      in_words(c("participant", paste0(within[1], ":", columns[2])))),
+    if (length(columns) == 1) if (length(differing) == 1 && has_many_words(trials[[columns]]))
+      in_words(c("participant", within)) else "(1 + slope | participant)",
+    "(1 | participant)")
+}
+
+# Are there three levels or more, which are no numbers?
+has_many_words <- function(x) {
+  is.factor(x) && nlevels(x) > 2 && anyNA(suppressWarnings(as.numeric(levels(x))))
+}
+
 has_slope <- function(words) grepl("slope", words)
 
-random_part <- function(words) if (has_slope(words)) "intercept and slope" else "intercept"
+# "intercept and slope": what a random part says that participants differ in.
+random_part <- function(words) {
+  if (has_slope(words)) return("intercept and slope")
+  sizes <- lengths(random_terms(words))
+  and_words(c("intercept", if (any(sizes == 1)) "levels", if (any(sizes == 2)) "cells"))
+}
 
-# A factor's levels as numbers, words as 1, 2, 3 in their order, numbers as they are; standardised.
+# A factor's numbers, or 1 and 2 for two words; standardised.
 slope_values <- function(x) {
   as.numeric(scale(if (is.factor(x)) position_of(levels(x))[x] else x))
 }
@@ -114,8 +150,7 @@ ratio_row <- function(family, method, effect, estimate, size_name, trials) {
 }
 
 # Likelihood-ratio tests and ratios of each tested factor, as an outcome with `models` (by factor)
-# and `trials` as they were fitted. `interactions`: "a:b" of two factors, of ratings, tested beside
-# with a slope of the first factor.
+# and `trials` as they were fitted. `interactions`: "a:b" of two factors, of ratings, tested beside.
 factor_tests <- function(trials, factors, response = "rating", tested = factors,
                          interactions = character()) {
   of <- response_model(response)
@@ -126,22 +161,21 @@ factor_tests <- function(trials, factors, response = "rating", tested = factors,
   if (response == "rating") trials$rating <- factor(trials$rating, ordered = TRUE)
   models <- lapply(stats::setNames(nm = tested), function(factor) {
     say_progress(model_step(factor))
-    fit_models(trials, factors, within_factors(trials, factor), factor, response,
+    fit_models(trials, factors, factor, factor, response,
       paste(of$kind, "for the test of", factor))
   })
   tests <- do.call(all_outcomes, unname(Map(function(fitted, factor) {
     model_tests(fitted, trials, factor)
   }, models, tested)))
   if (length(interactions) > 0) {
-    tests <- all_outcomes(tests, interaction_tests(trials, factors,
-      utils::head(within_factors(trials, factors), 1), interactions))
+    tests <- all_outcomes(tests, interaction_tests(trials, factors, interactions))
   }
   c(tests, list(models = models, trials = trials))
 }
 
-# Likelihood-ratio tests of each interaction of ratings, "a:b" of two factors, and ratios of odds
-# ratios, as an outcome. `slope_of`: the factor whose effect may differ between participants, or none.
-interaction_tests <- function(trials, factors, slope_of, interactions) {
+# Likelihood-ratio tests of each interaction of ratings, "a:b" of two factors, among all of them, and
+# ratios of odds ratios, as an outcome.
+interaction_tests <- function(trials, factors, interactions) {
   endless <- Filter(function(interaction) has_one_sided_cell(trials, interaction), interactions)
   if (length(endless) > 0) {
     return(outcome(remarks = sprintf(paste(
@@ -149,10 +183,13 @@ interaction_tests <- function(trials, factors, slope_of, interactions) {
       "with interactions has no finite estimate and was not fitted."
     ), paste(gsub(":", " × ", endless), collapse = " and of "))))
   }
-  say_progress("fitting the mixed models with interactions ...")
-  kind <- "mixed model with interactions"
-  models <- fit_models(trials, c(factors, interactions), slope_of, interactions, kind = kind)
-  model_tests(models, trials, interactions, kind, c(kInteractionFamily, kInteractionOddsFamily))
+  do.call(all_outcomes, lapply(interactions, function(interaction) {
+    say_progress(model_step(gsub(":", " × ", interaction)))
+    kind <- "mixed model with interactions"
+    models <- fit_models(trials, c(factors, interactions), interaction, interaction,
+      kind = paste(kind, "for the test of", gsub(":", " × ", interaction)))
+    model_tests(models, trials, interaction, kind, c(kInteractionFamily, kInteractionOddsFamily))
+  }))
 }
 
 # Is there a cell of the interaction "a:b" that an estimate would push to infinity?
@@ -173,8 +210,7 @@ model_diagnostics <- function(fitted, response) {
     spread <- models$full$deviations
     data.frame(factor = factor, random = models$attempt[["random"]],
       spread = if (is.null(spread)) NA_character_ else paste(
-        ifelse(names(spread) == "slope", "slope", "intercept"), sprintf("%.2f", spread),
-        collapse = ", "),
+        names(spread), sprintf("%.2f", spread), collapse = ", "),
       checks = paste(response_model(response)$checks(models, fitted$trials, factor),
         collapse = "; "))
   })

@@ -5,9 +5,9 @@
 #                              └─> participants' differences ─┬─> paired t tests
 #                                                             └─> equivalence tests
 #
-# The model sees the trials of the two kinds alone: its random slope is then the contrast's own, which
-# a test of it needs (Barr 2013), and odds have to be proportional between these two only. A pair is
-# list(of, against, planned): a difference is `of` minus `against`.
+# The model sees the trials of the two kinds alone: what participants differ in is then the contrast,
+# which a test of it needs (Barr 2013), and odds have to be proportional between these two only. A pair
+# is list(of, against, planned): a difference is `of` minus `against`.
 #
 # Invariant: the families of tests of two pairs have different names, so Holm's correction never
 # runs over both.
@@ -93,12 +93,12 @@ contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom,
 # The contrast from mixed models of the response, overall and at each number of bodies.
 # `row(models, coefficients, place)`: its rows at one place.
 contrast_rows <- function(two, response, row) {
-  fit <- function(terms, kind) {
-    fit_models(two, terms, "scheduling", character(), response,
+  fit <- function(terms, differing, kind) {
+    fit_models(two, terms, differing, character(), response,
       paste0(kind, if (response == "clicks") " of clicks"))
   }
   terms <- c("scheduling", varying_factors(two, "bodies"))
-  alone <- fit(terms, "mixed model of the planned contrast")
+  alone <- fit(terms, "scheduling", "mixed model of the planned contrast")
   if (!is.null(alone$failure)) return(outcome(remarks = alone$remarks))
   coefficient <- paste0("scheduling", levels(two$scheduling)[2])
   overall <- outcome(row(alone, coefficient, kOverall), alone$remarks)
@@ -111,7 +111,8 @@ contrast_rows <- function(two, response, row) {
       "A cell of the planned contrast holds one end of the scale only, so the mixed model gives it",
       "overall alone."))))
   }
-  both <- fit(c(terms, "scheduling:bodies"), "mixed model of the contrast by number of bodies")
+  both <- fit(c(terms, "scheduling:bodies"), "scheduling:bodies",
+    "mixed model of the contrast by number of bodies")
   if (!is.null(both$failure)) return(all_outcomes(overall, outcome(remarks = both$remarks)))
   bodies <- levels(two$bodies)
   apart <- each_row(bodies, function(place) {

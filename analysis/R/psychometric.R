@@ -2,14 +2,17 @@
 #
 #   p(x) = guess + (1 - guess - lapse) Phi((x - threshold) / spread)
 #
-# by maximum likelihood, lapse within 0 to .06, guess fixed (.5 of two intervals) or within 0 to .5
-# (Wichmann and Hill 2001). The threshold is where the curve is halfway between its ends. Levels that
-# were chosen trial by trial, by a staircase or QUEST+, are analysed in the same way: their
-# likelihood is that of the trials as shown. The mean of a staircase's reversals is biased and not used.
+# by maximum likelihood, lapse within 0 to .06 (Wichmann and Hill 2001), guess fixed (.5 of two
+# intervals) or within 0 to .5 with a prior of Beta(1, 10) (Schütt et al. 2016): levels chosen near the
+# threshold say little of it, and a high guess rate there goes with a high threshold. The threshold is
+# where the curve is halfway between its ends. Levels that were chosen trial by trial, by a staircase or
+# QUEST+, are analysed in the same way: their likelihood is that of the trials as shown. The mean of a
+# staircase's reversals is biased and not used.
 # SPDX-License-Identifier: MIT
 
 kLargestLapse <- 0.06
 kLargestGuess <- 0.5
+kGuessPrior <- 10  # the second parameter of its Beta distribution, whose first is 1
 
 # Compiled, as what it is compared by: a bootstrap asks a million times.
 psychometric_p <- compiler::cmpfun(function(x, fit) {
@@ -33,7 +36,11 @@ fit_psychometric <- function(data, guess = NULL, start = NULL) {
   unpack <- function(v) list(threshold = v[1], spread = exp(v[2]), lapse = v[3],
     guess = if (is.null(guess)) v[4] else guess)
   shown <- as.list(data)  # whose parts R finds faster
-  cost <- function(v) -binomial_log_likelihood(shown, psychometric_p(shown$x, unpack(v)))
+  cost <- function(v) {
+    fit <- unpack(v)
+    -binomial_log_likelihood(shown, psychometric_p(shown$x, fit)) -
+      if (is.null(guess)) (kGuessPrior - 1) * log1p(-fit$guess) else 0
+  }
   lower <- c(min(data$x) - range, log(range / 200), 0, if (is.null(guess)) 0)
   upper <- c(max(data$x) + range, log(range * 4), kLargestLapse, if (is.null(guess)) kLargestGuess)
   starts <- if (!is.null(start)) list(c(start$threshold, log(start$spread), start$lapse,
@@ -46,7 +53,8 @@ fit_psychometric <- function(data, guess = NULL, start = NULL) {
   if (length(fits) == 0) return(NULL)
   best <- fits[[which.min(vapply(fits, `[[`, 0, "value"))]]
   fit <- unpack(best$par)
-  fit$deviance <- 2 * (saturated_log_likelihood(data) + best$value)
+  fit$deviance <- 2 * (saturated_log_likelihood(data) -
+    binomial_log_likelihood(shown, psychometric_p(shown$x, fit)))
   fit
 }
 

@@ -27,16 +27,7 @@ model_words <- function(tests, factor, response = "rating") {
     plain_name(factor), random_words(row$method), if (row$p_holm < kSignificance)
     paste(of$noun, "depended on", plain_name(factor)) else paste("an effect of",
       plain_name(factor), "was not detected, which is not evidence of its absence"),
-    paste0(chi_squared_words(row), if (has_slope(row$method) && has_words(tests, of, factor)) paste0(
-      " (its slope takes the levels as 1, 2, 3: where participants differ in another order of them,",
-      " this test finds too much, and the ANOVA does not)")))
-}
-
-# Whether a factor has three levels or more that are words, by the names of its ratios.
-has_words <- function(tests, of, factor) {
-  levels <- sub("^.*?: (.*) against .*$", "\\1", level_comparisons(tests, of$ratios, factor)$effect,
-    perl = TRUE)
-  length(levels) > 1 && anyNA(suppressWarnings(as.numeric(levels)))
+    chi_squared_words(row))
 }
 
 random_words <- function(method) paste("random", random_part(method), "for each participant")
@@ -77,8 +68,9 @@ interaction_words <- function(tests, response = "rating") {
   rows <- tests_of(tests, of$interactions)
   vapply(seq_len(nrow(rows)), function(i) {
     names <- vapply(strsplit(rows$effect[i], ":", fixed = TRUE)[[1]], plain_name, "")
-    sprintf(paste("In the %s with interactions, which has no slope of them for each participant and so",
-      "finds some too often (Barr 2013), one of %s was %s: %s."), of$kind,
+    sprintf("In the %s with interactions (%s%s), one of %s was %s: %s.", of$kind,
+      random_words(rows$method[i]), if (grepl("cells|slope", random_part(rows$method[i]))) "" else
+        ", without which it is found too often (Barr 2013)",
       paste(names, collapse = " and "), if (rows$p_holm[i] < kSignificance) "detected" else
         "not detected, which is not evidence of its absence", chi_squared_words(rows[i, ]))
   }, "")

@@ -19,11 +19,9 @@ kClickFamily <- "clicks, effects"
 kClickRatioFamily <- "clicks, rate ratios"
 kClickInteractionFamily <- "clicks, interaction"
 
-# How a response's models are fitted, in which attempts, what their tests are called and in which
-# words; `endless(trials, factor)`: why a ratio has no finite estimate, or NULL; `checks`: sentences.
+# How a response's models are fitted, with which distributions in turn, what their tests are called
+# and in which words; `endless(trials, factor)`: why a ratio has no finite estimate, or NULL; `checks`: sentences.
 response_model <- function(response) {
-  random <- c("(1 + slope | participant)", "(1 | participant)")
-  attempts <- function(distribution) lapply(random, function(r) c(random = r, distribution))
   switch(response,
     rating = list(effects = kEffectsFamily, ratios = kOddsFamily,
       interactions = kInteractionFamily, kind = "mixed model",
@@ -31,7 +29,7 @@ response_model <- function(response) {
       size = "odds ratio of a higher rating",
       method = function(kind, attempt) {
         sprintf("cumulative-link %s, logit, %s", kind, attempt[["random"]])
-      }, attempts = attempts(NULL), endless = endless_rating, checks = rating_checks,
+      }, distributions = NA, endless = endless_rating, checks = rating_checks,
       fit = function(trials, terms, attempt, like) {
         fit_rating_model(trials, terms, attempt[["random"]], like = like)
       }),
@@ -39,8 +37,7 @@ response_model <- function(response) {
       kind = "mixed model of answers", model = "binomial mixed model", noun = "answers",
       size = "odds ratio of a positive answer",
       method = function(kind, attempt) sprintf("binomial %s, logit, %s", kind, attempt[["random"]]),
-      attempts = attempts(NULL),
-      endless = endless_answer, checks = answer_checks,
+      distributions = NA, endless = endless_answer, checks = answer_checks,
       fit = function(trials, terms, attempt, like) {
         fit_answer_model(trials, terms, attempt[["random"]])
       }),
@@ -50,8 +47,7 @@ response_model <- function(response) {
       size = "rate ratio",
       method = function(kind, attempt) sprintf("%s %s, log exposure as offset, %s",
         attempt[["distribution"]], kind, attempt[["random"]]),
-      attempts = c(attempts(c(distribution = "negative-binomial")),
-        attempts(c(distribution = "Poisson"))),
+      distributions = c("negative-binomial", "Poisson"),
       endless = endless_count, checks = click_checks,
       fit = function(trials, terms, attempt, like) {
         fit_count_model(trials, terms, attempt[["random"]], attempt[["distribution"]])
@@ -116,9 +112,10 @@ fit_rating_model <- function(trials, factors, random, like = NULL, link = "logit
   if (is.null(start$value) || anyNA(start$value)) {
     return(list(failure = first_words(c(start$complaints, "its factors cannot be told apart"))))
   }
+  effects <- random_effects(trials, random)
   model <- fit_cumulative_link(as.integer(droplevels(trials$rating)), design,
-    as.integer(factor(trials$participant)), if (has_slope(random)) trials$slope, link,
-    start$value, if (is.null(like)) kColdSpread else like$spread)
+    as.integer(factor(trials$participant)), effects, link, start$value,
+    if (is.null(like)) cold_spread(effects) else like$spread)
   # A model that contains another cannot be worse; 1e-3 is above the optimiser's tolerance.
   if (isTRUE(model$log_likelihood > like$log_likelihood + 1e-3)) {
     return(list(failure = "a smaller model fitted better than one that contains it"))
@@ -126,7 +123,10 @@ fit_rating_model <- function(trials, factors, random, like = NULL, link = "logit
   model
 }
 
-kColdSpread <- c(0.5, 0, 0.5)  # logits: of the intercept, of both together, of the slope
+# Half a logit of all that deviates for itself; an intercept and a slope do not go together.
+cold_spread <- function(effects) {
+  vapply(effects$places, function(place) if (all(place[, 1] == place[, 2])) 0.5 else 0, 0)
+}
 
 fit_answer_model <- function(trials, terms, random, link = "logit") {
   fit_glmer(stats::reformulate(c(terms, random), "positive"), trials, stats::binomial(link))
@@ -174,7 +174,15 @@ described_fit <- function(model, beta, covariance, theta = NA) {
   list(beta = beta, covariance = covariance, log_likelihood = as.numeric(likelihood),
     df = attr(likelihood, "df"), theta = theta,
     pearson = sum(residuals^2) / stats::df.residual(model), model = if (binomial) model,
-    deviations = if (binomial) attr(lme4::VarCorr(model)$participant, "stddev"))
+    deviations = if (binomial) lme4_deviations(model))
+}
+
+lme4_deviations <- function(model) {
+  found <- as.data.frame(lme4::VarCorr(model))
+  found <- found[is.na(found$var2), ]
+  of <- gsub(":", " × ", sub("^participant:", "", found$grp))
+  stats::setNames(found$sdcor, ifelse(found$var1 == "slope", "slope",
+    ifelse(of == "participant", "intercept", of)))
 }
 
 # Of a cumulative-link mixed model: the optimiser, the fit to each level, and proportional odds.

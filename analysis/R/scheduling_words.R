@@ -43,7 +43,7 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
     if (nrow(rows) > 0) c(
       sprintf(paste("%s, %s (cumulative-link mixed model of these two kinds, %s; Holm over %d",
         "tests): odds ratio of a higher rating %s."),
-        contrast_title(pair), pair_words(pair, " against "), random_words(rows$method[1]),
+        contrast_title(pair), pair_words(pair, " against "), contrast_random_words(rows),
         nrow(rows), estimates_words(rows)),
       verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse",
         pair)),
@@ -53,6 +53,13 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
     equivalence_verdict(tests_of(tests, family_of(kEquivalenceFamily, pair)),
       sprintf("±%.2f points", equivalence_margin(scale))),
     if (pair$planned) thesis_words(tests, kPooledFamily))
+}
+
+# What participants differ in, overall and, where that is another model, at each number of bodies.
+contrast_random_words <- function(rows) {
+  parts <- unique(vapply(rows$method, random_part, ""))
+  paste0(random_words(rows$method[1]),
+    if (length(parts) > 1) sprintf(" (at each number of bodies %s)", parts[2]))
 }
 
 contrast_title <- function(pair) if (pair$planned) "Planned contrast" else "Beside it"
@@ -87,7 +94,7 @@ click_contrast_words <- function(tests, pair = kTrackedRandom) {
       sprintf("%s of clicks (%s of %s trials, %s; Holm over %d tests): rate ratio %s %s.",
         if (pair$planned) "Planned contrast" else "Beside it, contrast",
         sub(" mixed model.*$", " mixed model", rows$method[1]), pair_words(pair, " and "),
-        random_words(rows$method[1]), nrow(rows), pair_words(pair, " / "), estimates_words(rows)),
+        contrast_random_words(rows), nrow(rows), pair_words(pair, " / "), estimates_words(rows)),
       verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often",
         pair)),
     if (nrow(bootstrap) > 0) sprintf("By bootstrap over participants: %s.",

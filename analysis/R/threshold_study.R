@@ -122,7 +122,7 @@ report_threshold_study <- function(study) {
 }
 
 scale_sentence <- function(study) {
-  kind <- if (is.null(study$guess)) "yes or no (guess rate fitted, 0 to .5)" else
+  kind <- if (is.null(study$guess)) "yes or no (guess rate fitted, prior Beta(1, 10))" else
     "a choice of two intervals (guess rate 1/2)"
   method <- if (all(is.na(study$trials$track))) "levels fixed before" else
     "levels chosen trial by trial; trials as shown are analysed, never means of reversals"

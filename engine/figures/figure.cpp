@@ -2,6 +2,7 @@
 #include "engine/figures/figure.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "engine/numerics/at.hpp"
 
@@ -105,6 +106,14 @@ void find_poses(const Figure& figure, const Pose& root, const std::vector<double
 
 std::vector<Pose> poses_of(const Figure& figure, const Pose& root,
                            const std::vector<double>& angles_rad) {
+  std::string problem = problem_of_hinges(figure);
+  if (problem.empty() && angles_rad.size() != figure.hinges.size()) {
+    problem = "expected an angle of each of " + std::to_string(figure.hinges.size()) +
+              " hinges, got " + std::to_string(angles_rad.size());
+  }
+  if (!problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
   std::vector<Pose> poses;
   find_poses(figure, root, angles_rad, poses);
   return poses;

@@ -41,6 +41,7 @@ struct Figure {
 };
 
 /// The poses of all parts, root first, with the root so placed and the hinges at these angles.
+/// Throws std::invalid_argument where a hinge joins no earlier part or lacks an angle.
 std::vector<Pose> poses_of(const Figure& figure, const Pose& root,
                            const std::vector<double>& angles_rad);
 

@@ -235,9 +235,11 @@ class Session {
     ports_.recorder.save(QuestionRecord{"consent", kConsentId, statement, answer});
   }
 
+  /// A session that ended while they were saved is asked what is missing.
   bool ask_demographics() {
-    const std::vector<Field>& fields = script_.demographics;
-    if (fields.empty() || history_.answered.contains(fields.front().id)) {
+    std::vector<Field> fields = script_.demographics;
+    std::erase_if(fields, [&](const Field& field) { return history_.answered.contains(field.id); });
+    if (fields.empty()) {
       return true;
     }
     const auto answer = ask(demographics_page(fields, progress()));

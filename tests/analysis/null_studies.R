@@ -1,11 +1,12 @@
 # Runs null studies and keeps their p values:
 #
-#   Rscript tests/analysis/null_studies.R <repo root> [--means 2000] [--mixed 200]
+#   Rscript tests/analysis/null_studies.R <repo root> [--means 2000] [--mixed 200] [--words 200]
 #
 # Seeds 1, 2, 3 ... Writes tests/analysis/null_studies.csv (ANOVA on participants' means, pooled
-# ANOVA) and null_studies_mixed.csv (mixed model), one row per seed, and prints the rates. Seeds
-# that the files hold already are not run again, so that an interrupted run goes on. A mixed model
-# takes some 10 to 60 s.
+# ANOVA), null_studies_mixed.csv (mixed model) and null_studies_words.csv (mixed models of a factor of
+# words and of its interaction), one row per seed, and prints the rates. Seeds that the files hold
+# already are not run again, so that an interrupted run goes on. A mixed model takes a second, one of
+# an interaction some ten.
 # SPDX-License-Identifier: MIT
 
 words <- commandArgs(trailingOnly = TRUE)
@@ -25,7 +26,12 @@ means <- complete_table(file.path(folder, "null_studies.csv"), count_after("--me
   null_means_row)
 mixed <- complete_table(file.path(folder, "null_studies_mixed.csv"), count_after("--mixed", 200),
   null_mixed_row)
+of_words <- complete_table(file.path(folder, "null_studies_words.csv"), count_after("--words", 200),
+  null_words_row)
 rates <- rbind("ANOVA on means" = rejection_rate(means$anova_p),
-  "pooled ANOVA" = rejection_rate(means$pooled_p), "mixed model" = rejection_rate(mixed$mixed_p))
+  "pooled ANOVA" = rejection_rate(means$pooled_p), "mixed model" = rejection_rate(mixed$mixed_p),
+  "mixed model of words" = rejection_rate(of_words$kind_p),
+  "its interaction" = rejection_rate(of_words$cells_p))
 print(rates)
 print(table(mixed$random))
+print(table(of_words$kind_random, of_words$cells_random))

@@ -15,27 +15,56 @@ sloped_trials <- function(seed, participants = 6, slope_sd = 0.8) {
   plan
 }
 
-link_data <- function(trials, slope, link) {
-  list(rating = as.integer(trials$rating), design = model.matrix(~ delay_ms, trials)[, -1],
-    person = as.integer(factor(trials$participant)), link = kLinks[[link]],
-    slope = if (slope) trials$slope else numeric(nrow(trials)), people = participant_count(trials),
-    thresholds = 2, free = if (slope) 1:3 else 1)
-}
+kRandomParts <- c("(1 | participant)", "(1 + slope | participant)",
+  "(1 | participant) + (1 | participant:delay_ms)",
+  "(1 | participant) + (1 | participant:delay_ms) + (1 | participant:delay_ms:speed_deg_s)")
 
-test_that("the gradient is that of differences, for every link and with slopes or without", {
+test_that("the gradient is that of differences, for every link and every random part", {
   trials <- sloped_trials(11)
   for (link in names(kLinks)) {
-    for (slope in c(TRUE, FALSE)) {
-      data <- link_data(trials, slope, link)
-      place <- c(-0.9, 0.8, 0.5, 1.1, c(0.7, -0.3, 0.6)[data$free])
-      at <- function(x) laplace_at(data, x, matrix(0, data$people, 2))
+    for (random in kRandomParts) {
+      data <- link_data(as.integer(trials$rating), model.matrix(~ delay_ms, trials)[, -1],
+        as.integer(factor(trials$participant)), random_effects(trials, random), link)
+      place <- c(-0.9, 0.8, 0.5, 1.1, c(0.7, -0.3, 0.6)[seq_along(data$parts)])
+      at <- function(x) laplace_at(data, x, matrix(0, data$people, ncol(data$Z)))
       differences <- vapply(seq_along(place), function(i) {
         shift <- replace(numeric(length(place)), i, 1e-4)
         (at(place + shift)$value - at(place - shift)$value) / 2e-4
       }, 0)
       # Differences over 2e-4 of a value near 100 keep 1e-7 of a derivative near 10.
-      expect_equal(at(place)$gradient, differences, tolerance = 1e-6, info = paste(link, slope))
+      expect_equal(at(place)$gradient, differences, tolerance = 1e-6, info = paste(link, random))
     }
+  }
+})
+
+# Participants who differ in level and, at random, in each delay and in each cell of delay and speed.
+celled_trials <- function(seed, participants = 8) {
+  set.seed(seed)
+  plan <- causality_plan(participants, repetitions = 2)
+  deviations <- function(sd, ...) {
+    cell <- interaction(plan$participant, ...)
+    rnorm(nlevels(cell), 0, sd)[cell]
+  }
+  plan$rating <- ordered(ratings_at(deviations(0.7) + deviations(0.9, plan$delay_ms) +
+    deviations(0.7, plan$delay_ms, plan$speed_deg_s) + (plan$delay_ms == 300)))
+  columns <- c("participant", "delay_ms", "speed_deg_s")
+  plan[columns] <- lapply(plan[columns], factor)
+  plan
+}
+
+test_that("levels and cells within participants deviate as in ordinal::clmm", {
+  trials <- celled_trials(17)
+  for (random in kRandomParts[c(3, if (run_slow) 4)]) {  # each of the package's takes seconds
+    own <- fit_rating_model(trials, "delay_ms", random)
+    package <- ordinal::clmm(as.formula(paste("rating ~ delay_ms +", random)), trials)
+    expect_equal(own$log_likelihood, package$logLik, tolerance = 1e-6, info = random)
+    expect_equal(unname(c(own$alpha, own$beta)), unname(package$coefficients), tolerance = 2e-3)
+    expect_equal(sqrt(diag(own$covariance)), sqrt(diag(vcov(package)))[names(own$beta)],
+      tolerance = 5e-3, info = random)
+    deviations <- vapply(ordinal::VarCorr(package), function(v) attr(v, "stddev")[[1]], 0)
+    names(deviations) <- sub("^participant$", "intercept", gsub(":", " × ",
+      sub("^participant:", "", names(deviations))))
+    expect_equal(own$deviations, deviations[names(own$deviations)], tolerance = 5e-3, info = random)
   }
 })
 

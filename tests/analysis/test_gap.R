@@ -81,7 +81,7 @@ test_that("the planted effects of level, and of level by viewpoint and speed, co
   factors <- c("level", "speed_percent", "viewpoint_deg")
   trials <- transform(study$trials, rating = ordered(rating))
   rows <- rbind(one_model_tests(trials, factors)$rows, suppressMessages(interaction_tests(trials,
-    factors, character(), c("level:speed_percent", "level:viewpoint_deg")))$rows)
+    factors, c("level:speed_percent", "level:viewpoint_deg")))$rows)
   effects <- rows[rows$family %in% c(kEffectsFamily, kInteractionFamily), ]
   expect_equal(effects$effect,
     c("level", "speed_percent", "viewpoint_deg", "level:speed_percent", "level:viewpoint_deg"))
@@ -101,8 +101,9 @@ test_that("an interaction's chi-squared compares with the model without it", {
   data(wine, package = "ordinal", envir = environment())
   trials <- data.frame(participant = wine$judge, rating = as.integer(wine$rating),
     temp = wine$temp, contact = wine$contact)
-  row <- interaction_tests(transform(trials, rating = ordered(rating)), c("temp", "contact"),
-    character(), "temp:contact")$rows[1, ]
+  models <- fit_models(transform(trials, rating = ordered(rating)), c("temp", "contact",
+    "temp:contact"), character(), "temp:contact")
+  row <- model_tests(models, trials, "temp:contact")$rows[1, ]
   likelihood <- function(formula) as.numeric(logLik(ordinal::clmm(formula, wine)))
   # 1e-3 of a statistic near 0: the optimiser's tolerance, 1e-4, on each log-likelihood near -80.
   expect_equal(row$statistic, 2 * (likelihood(rating ~ temp * contact + (1 | judge)) -
@@ -114,7 +115,7 @@ test_that("a cell rated with one end only leaves the interactions out, in words"
   trials <- gap_trials(94, participants = 4, repetitions = 1)
   trials$rating[trials$level == 4 & trials$viewpoint_deg == 85] <- 1
   trials$rating <- ordered(trials$rating)
-  result <- interaction_tests(trials, c("level", "viewpoint_deg"), "level", "level:viewpoint_deg")
+  result <- interaction_tests(trials, c("level", "viewpoint_deg"), "level:viewpoint_deg")
   expect_null(result$rows)
   expect_equal(result$remarks, paste(
     "In a cell of level × viewpoint_deg there is no rating or only the lowest or the highest, so",

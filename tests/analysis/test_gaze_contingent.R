@@ -163,7 +163,7 @@ test_that("trials marked late are in the primary contrast, and out of its sensit
   trials <- gaze_trials(159, participants = 4, repetitions = 2)
   trials$gaze_late <- as.integer(seq_len(nrow(trials)) %in% 1:5)
   study <- with_events(read_gaze_study(gaze_file(trials)))
-  tests <- without_slopes(with_failing("slope", suppressMessages(
+  tests <- without_slopes(with_failing(kVaried, suppressMessages(
     gaze_study_tests(study, exposure_by_participant(study)))))
   in_two <- trials$scheduling %in% c("tracked", "random")
   expect_equal(tests_of(tests, kContrastFamily)$trials[1], sum(in_two))

@@ -15,7 +15,7 @@ read_yoked <- function(path) {
 # Models of an intercept alone, which is what was planted.
 yoked_tests <- function(study) {
   study <- with_events(study)
-  without_slopes(with_failing("slope", suppressMessages(
+  without_slopes(with_failing(kVaried, suppressMessages(
     gaze_study_tests(study, exposure_by_participant(study)))))
 }
 

@@ -40,6 +40,16 @@ test_that("the ANOVA on participants' means keeps its level where slopes differ;
   expect_gt(pooled$interval_low, 0.2)
 })
 
+test_that("mixed models of words and of their interactions keep their level where participants differ", {
+  of_words <- null_table("null_studies_words.csv")
+  expect_equal(of_words$seed, 1:200)
+  for (p in of_words[c("kind_p", "cells_p")]) {
+    # .05 of 200 with four binomial standard errors; with slopes over 1, 2, 3 they rejected .34 and
+    # .19 of the first 80.
+    expect_lt(rejection_rate(p)$rate, 0.05 + 4 * sqrt(0.05 * 0.95 / 200))
+  }
+})
+
 test_that("without differences in slope the pooled test is harmless: slopes are what breaks it", {
   p <- vapply(1:150, function(seed) {
     stats::anova(stats::lm(rating ~ delay_ms, null_trials(seed, slope_sd = 0)))[["Pr(>F)"]][1]
@@ -47,11 +57,13 @@ test_that("without differences in slope the pooled test is harmless: slopes are 
   expect_lt(mean(p < 0.05), 0.05 + 4 * sqrt(0.05 * 0.95 / 150))
 })
 
-test_that("all 2,000 come out again, and the first mixed model (slow)", {
+test_that("all 2,000 come out again, and the first mixed models (slow)", {
   skip_if_not(run_slow, "--slow not given")
   means <- null_table("null_studies.csv")
   again <- do.call(rbind, lapply(means$seed, null_means_row))
   expect_equal(unlist(again), unlist(means), tolerance = 1e-5)
   mixed <- null_table("null_studies_mixed.csv")
   expect_equal(null_mixed_row(1)$mixed_p, mixed$mixed_p[1], tolerance = 0.01)
+  of_words <- null_table("null_studies_words.csv")
+  expect_equal(null_words_row(1), of_words[1, ], tolerance = 0.01)
 })

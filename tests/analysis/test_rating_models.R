@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
+source(file.path(root, "tests/analysis/null_model.R"))
+
 # The tests on good data, with the fit of some random parts made to fail.
 fit_family_with <- function(failing) {
   trials <- causality_trials(seed = 54, participants = 5)
@@ -69,6 +71,32 @@ test_that("a slope of delay for each participant is fitted where it converges", 
   result <- suppressMessages(factor_tests(trials, "delay_ms"))
   expect_length(result$remarks, 0)
   expect_match(result$rows$method, "(1 + slope | participant)", fixed = TRUE)
+})
+
+test_that("what participants may differ in follows from what is tested", {
+  trials <- null_words_trials(seed = 1, participants = 3)
+  trials$pair <- factor(ifelse(trials$kind == "odd", "odd", "even"))
+  trials$group <- factor(trials$participant)
+  # Numbers and two words have a slope; three words none, for they have no order.
+  for (factor in c("speed_deg_s", "pair")) {
+    expect_equal(random_parts(trials, factor), c("(1 + slope | participant)", "(1 | participant)"))
+  }
+  expect_equal(random_parts(trials, "kind"),
+    c("(1 | participant) + (1 | participant:kind)", "(1 | participant)"))
+  expect_equal(random_parts(trials, "kind:pair"), c(
+    "(1 | participant) + (1 | participant:kind) + (1 | participant:pair) + (1 | participant:kind:pair)",
+    "(1 | participant) + (1 | participant:kind:pair)", "(1 | participant)"))
+  # Of what each participant has one level of, nothing can differ within them.
+  expect_equal(random_parts(trials, "group"), "(1 | participant)")
+  expect_equal(random_parts(trials, "group:kind"), random_parts(trials, "kind"))
+  expect_equal(random_parts(trials, character()), "(1 | participant)")
+})
+
+test_that("the order of words changes no test of them", {
+  trials <- null_words_trials(seed = 2, participants = 8)
+  turned <- transform(trials, kind = factor(kind, c("odd", "hard", "soft")))
+  p_of <- function(trials) suppressMessages(factor_tests(trials, "kind"))$rows$p[1]
+  expect_equal(p_of(turned), p_of(trials), tolerance = 1e-5)
 })
 
 test_that("when no slope converges the model falls back to an intercept and says so", {

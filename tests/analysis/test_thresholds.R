@@ -9,17 +9,32 @@ gap_study <- function(trials, ...) {
   open_threshold_study(study_description("gap-thresholds"), c(path, "--out", tempdir()))
 }
 
-test_that("the likelihood at the fit is no worse than on a grid over all parameters", {
+test_that("likelihood and prior at the fit are no worse than on a grid over all parameters", {
   set.seed(501)
   x <- rep(kDelaysTestedMs, each = 12)
   data <- by_level(x, answers_at(x, 110, 45, guess = 0.05))
   fit <- fit_psychometric(data)
   grid <- expand.grid(threshold = seq(60, 180, 4), spread = exp(seq(2, 5, 0.2)),
     guess = seq(0, 0.3, 0.05), lapse = c(0, 0.03, 0.06))
-  best <- max(vapply(seq_len(nrow(grid)), function(i) {
-    binomial_log_likelihood(data, psychometric_p(data$x, grid[i, ]))
-  }, 0))
-  expect_gte(saturated_log_likelihood(data) - fit$deviance / 2, best - 1e-3)
+  # Beta(1, 10) of the guess rate, up to a constant.
+  at <- function(place) binomial_log_likelihood(data, psychometric_p(data$x, place)) +
+    stats::dbeta(place$guess, 1, 10, log = TRUE)
+  best <- max(vapply(seq_len(nrow(grid)), function(i) at(grid[i, ]), 0))
+  expect_gte(at(fit), best - 1e-3)
+  expect_equal(fit$deviance, 2 * (saturated_log_likelihood(data) -
+    binomial_log_likelihood(data, psychometric_p(data$x, fit))), tolerance = 1e-9)
+})
+
+test_that("levels near the threshold leave no guess rate that lifts it", {
+  set.seed(513)
+  # As QUEST+ places its 40 trials: nearly all where answers are in doubt.
+  thresholds <- replicate(150, {
+    x <- 16.667 * round(pmax(rnorm(40, 110, 40), 0) / 16.667)
+    fit_psychometric(by_level(x, answers_at(x, 110, 45, guess = 0.03, lapse = 0)))$threshold
+  })
+  # With the prior 2.9 % below, a standard deviation of 11; without it 4.6 % above, and 15.
+  expect_lt(abs(mean(thresholds) / 110 - 1), 0.04)
+  expect_lt(sd(thresholds), 13)
 })
 
 test_that("planted thresholds lie within two bootstrap standard errors nine times in ten (slow)", {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,11 @@ TEST(Hinge, ImpossibleHingesAreRefusedWithTheReason) {
   without_mass.models[1].inverse_mass = 0.0;
   EXPECT_EQ(problem_of(without_mass.figure, without_mass.models),
             "figure \"chain\": expected a mass and inertia of the part \"part 1\"");
+  // Poses that such hinges would have are none.
+  FigureScene looped = chain_of(3);
+  looped.figure.hinges[1].parent = 2;
+  EXPECT_THROW(poses_of(looped.figure, {}, rest_angles(looped.figure)), std::invalid_argument);
+  EXPECT_THROW(poses_of(chain_of(3).figure, {}, {0.0}), std::invalid_argument);
 }
 
 TEST(Hinge, AWorldRefusesWhatFiguresCannotHave) {

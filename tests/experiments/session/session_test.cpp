@@ -244,6 +244,15 @@ TEST(Session, QuitThenResumeContinuesAtTheNextTrialInThePlannedOrder) {
   EXPECT_EQ(second.recorder.attempts[2].slot, 7);
 }
 
+TEST(Session, WhatWasNotSavedAboutSomebodyIsAskedAgain) {
+  TestLab lab;
+  SessionHistory history;
+  history.answered = {"consent", lab.protocol.script.demographics.front().id};  // killed amid them
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1), history).ending, SessionEnding::kFinished);
+  ASSERT_GE(lab.recorder.answers.size(), lab.protocol.script.demographics.size() - 1);
+  EXPECT_EQ(lab.recorder.answers.front().id, lab.protocol.script.demographics[1].id);
+}
+
 TEST(Session, WhoNeverConsentedIsWelcomedAsAnyone) {
   SessionHistory history;
   history.resumed = true;  // the first session ended before a page was answered
