@@ -36,18 +36,15 @@ fit_psychometric <- function(data, guess = NULL, start = NULL) {
   unpack <- function(v) list(threshold = v[1], spread = exp(v[2]), lapse = v[3],
     guess = if (is.null(guess)) v[4] else guess)
   shown <- as.list(data)  # whose parts R finds faster
-  cost <- function(v) {
-    fit <- unpack(v)
-    -binomial_log_likelihood(shown, psychometric_p(shown$x, fit)) -
-      if (is.null(guess)) (kGuessPrior - 1) * log1p(-fit$guess) else 0
-  }
+  cost <- function(v) psychometric_cost(shown, unpack(v), is.null(guess))
+  slopes <- function(v) psychometric_slopes(shown, unpack(v), is.null(guess))[seq_along(v)]
   lower <- c(min(data$x) - range, log(range / 200), 0, if (is.null(guess)) 0)
   upper <- c(max(data$x) + range, log(range * 4), kLargestLapse, if (is.null(guess)) kLargestGuess)
   starts <- if (!is.null(start)) list(c(start$threshold, log(start$spread), start$lapse,
     if (is.null(guess)) start$guess)) else first_guesses(data, guess)
   fits <- lapply(starts, function(v) {
-    listen_to(stats::optim(pmin(pmax(v, lower), upper), cost, method = "L-BFGS-B", lower = lower,
-      upper = upper))$value
+    listen_to(stats::optim(pmin(pmax(v, lower), upper), cost, slopes, method = "L-BFGS-B",
+      lower = lower, upper = upper))$value
   })
   fits <- Filter(Negate(is.null), fits)
   if (length(fits) == 0) return(NULL)
@@ -57,6 +54,24 @@ fit_psychometric <- function(data, guess = NULL, start = NULL) {
     binomial_log_likelihood(shown, psychometric_p(shown$x, fit)))
   fit
 }
+
+# Minus the logarithm of likelihood and prior of a function, and its derivatives in threshold,
+# log(spread), lapse and guess. `free`: is the guess rate fitted?
+psychometric_cost <- compiler::cmpfun(function(data, fit, free) {
+  -binomial_log_likelihood(data, psychometric_p(data$x, fit)) -
+    if (free) (kGuessPrior - 1) * log1p(-fit$guess) else 0
+})
+
+psychometric_slopes <- compiler::cmpfun(function(data, fit, free) {
+  z <- (data$x - fit$threshold) / fit$spread
+  height <- 1 - fit$guess - fit$lapse
+  share <- stats::pnorm(z)
+  p <- within_likely(fit$guess + height * share)
+  of_p <- (data$n - data$positive) / (1 - p) - data$positive / p
+  of_z <- of_p * height * stats::dnorm(z)
+  c(-sum(of_z) / fit$spread, -sum(of_z * z), -sum(of_p * share),
+    sum(of_p * (1 - share)) + if (free) (kGuessPrior - 1) / (1 - fit$guess) else 0)
+})
 
 # Slope of positive on x, by its sign: does the share of positive answers rise?
 rises_by <- function(data) {
