@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/browser/the_page.hpp"
+#include "experiments/settings/optional_json.hpp"
 
 namespace impetus::inline browser {
 namespace {
@@ -112,7 +113,7 @@ json page_json(const Page& page) {
           {"high_anchor", page.high_anchor},
           {"timeout_ms", page.timeout_ms},
           {"can_pause", page.can_pause},
-          {"choice_at_end", page.choice_at_end ? json(*page.choice_at_end) : json()},
+          {"choice_at_end", page.choice_at_end},
           {"read_to_end", language.text("read_to_end")},
           {"points", points},
           {"aspect", page.point_map.aspect},

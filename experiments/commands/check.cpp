@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -219,9 +218,9 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand(
-      "check", "Validate protocols, series of them, or scenes, and print what is in them");
+  const auto [command, options] = add_command<CheckOptions>(
+      app, chosen, check, "check",
+      "Validate protocols, series of them, or scenes, and print what is in them");
   command->add_option("files", options->files, "Files of protocols, series or scenes")->required();
   command
       ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
@@ -233,7 +232,6 @@ void add_check(CLI::App& app, Command& chosen) {
                     "Print a page, in Markdown, that explains the study whole");
   command->add_option("--observer", options->observer,
                       "A simulated participant, its name or file, who is to fit the protocol");
-  command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
 }
 
 }  // namespace impetus::inline commands

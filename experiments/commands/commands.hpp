@@ -8,7 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace impetus::inline commands {
 
@@ -31,36 +33,28 @@ inline CLI::Validator number_from(double least, double most) {
       range.get_description());
 }
 
-/// Each adds a subcommand to `app`; parsing that subcommand puts its action into `chosen`.
-void add_run(CLI::App& app, Command& chosen);
-void add_check(CLI::App& app, Command& chosen);
-void add_collect(CLI::App& app, Command& chosen);
-void add_exclude(CLI::App& app, Command& chosen);
-void add_export(CLI::App& app, Command& chosen);
-void add_extremes(CLI::App& app, Command& chosen);
-void add_film(CLI::App& app, Command& chosen);
-void add_fit(CLI::App& app, Command& chosen);
-void add_merge(CLI::App& app, Command& chosen);
-void add_new(CLI::App& app, Command& chosen);
-void add_observers(CLI::App& app, Command& chosen);
-void add_power(CLI::App& app, Command& chosen);
-void add_predict(CLI::App& app, Command& chosen);
-void add_preview(CLI::App& app, Command& chosen);
-void add_publish(CLI::App& app, Command& chosen);
-void add_recover(CLI::App& app, Command& chosen);
-void add_replay(CLI::App& app, Command& chosen);
-void add_report(CLI::App& app, Command& chosen);
-void add_screen(CLI::App& app, Command& chosen);
-void add_serve(CLI::App& app, Command& chosen);
-void add_sessions(CLI::App& app, Command& chosen);
-void add_mesh(CLI::App& app, Command& chosen);
-void add_tree(CLI::App& app, Command& chosen);
-void add_timing(CLI::App& app, Command& chosen);
-void add_trade(CLI::App& app, Command& chosen);
-void add_verify(CLI::App& app, Command& chosen);
+/// Adds a subcommand; parsing it puts into `chosen` that `action` is done on its options. Returns
+/// the subcommand, and the options, which it keeps.
+template <typename Options>
+std::pair<CLI::App*, Options*> add_command(CLI::App& app, Command& chosen,
+                                           int (*action)(const Options&), const char* name,
+                                           const char* words) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(name, words);
+  command->callback(
+      [options, action, &chosen] { chosen = [options, action] { return action(*options); }; });
+  return {command, options.get()};
+}
+
+/// Adds a subcommand to `app`; parsing that subcommand puts its action into `chosen`.
+using AddCommand = void(CLI::App& app, Command& chosen);
+
+AddCommand add_run, add_check, add_collect, add_exclude, add_export, add_extremes, add_film,
+    add_fit, add_merge, add_new, add_observers, add_power, add_predict, add_preview, add_publish,
+    add_recover, add_replay, add_report, add_screen, add_serve, add_sessions, add_timing,
+    add_verify, add_mesh, add_tree, add_trade;
 
 /// The parts of `impetus tree`.
-void add_tree_build(CLI::App& tree, Command& chosen);
-void add_tree_show(CLI::App& tree, Command& chosen);
+AddCommand add_tree_build, add_tree_show;
 
 }  // namespace impetus::inline commands

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "experiments/commands/commands.hpp"
@@ -41,9 +40,8 @@ int run_exclude(const ExcludeOptions& options) {
 }  // namespace
 
 void add_exclude(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<ExcludeOptions>();
-  CLI::App* command =
-      app.add_subcommand("exclude", "Leave a participant or a trial out of the analysis");
+  const auto [command, options] = add_command<ExcludeOptions>(
+      app, chosen, run_exclude, "exclude", "Leave a participant or a trial out of the analysis");
   command->add_option("study", options->database, "Study file")->required();
   command->add_option("--participant", options->exclusion.participant, "Code of the participant")
       ->required();
@@ -55,7 +53,6 @@ void add_exclude(CLI::App& app, Command& chosen) {
         return reason.empty() ? std::string("expected a reason, got none") : std::string();
       });
   command->add_flag("--take-back", options->take_back, "In again; the rows stay");
-  command->callback([options, &chosen] { chosen = [options] { return run_exclude(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -100,19 +99,16 @@ int export_folder(StudyFile& original, const ExportOptions& options) {
 
 int run_export(const ExportOptions& options) {
   StudyFile study = StudyFile::open_for_reading(options.database);
-  try {
+  return while_reading(study, [&] {
     return options.format == "study" ? export_file(study, options) : export_folder(study, options);
-  } catch (const SQLite::Exception& error) {
-    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
-  }
+  });
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<ExportOptions>();
-  CLI::App* command =
-      app.add_subcommand("export", "Write a study as files that other programs read");
+  const auto [command, options] = add_command<ExportOptions>(
+      app, chosen, run_export, "export", "Write a study as files that other programs read");
   command->add_option("study", options->database, "Study file")->required();
   command
       ->add_option("--format", options->format,
@@ -125,7 +121,6 @@ void add_export(CLI::App& app, Command& chosen) {
                     "New codes; leave out what people typed, names of machines and dates");
   command->add_flag("--force", options->force,
                     "Overwrite an earlier export, which holds nothing else");
-  command->callback([options, &chosen] { chosen = [options] { return run_export(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -134,9 +133,9 @@ int ask_extremes(const ExtremesOptions& options) {
 }  // namespace
 
 void add_extremes(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<ExtremesOptions>();
-  CLI::App* command = app.add_subcommand(
-      "extremes", "Run the engine at its extremes: what is promised, and what is measured here");
+  const auto [command, options] = add_command<ExtremesOptions>(
+      app, chosen, ask_extremes, "extremes",
+      "Run the engine at its extremes: what is promised, and what is measured here");
   CLI::Option* quick =
       command->add_flag("--quick", options->quick, "A quarter of a minute instead of half");
   command
@@ -145,7 +144,6 @@ void add_extremes(CLI::App& app, Command& chosen) {
       ->excludes(quick);
   command->add_option("--only", options->only, "Cases or families whose names begin so");
   command->add_option("--json", options->json_file, "Write the table into this file as well");
-  command->callback([options, &chosen] { chosen = [options] { return ask_extremes(*options); }; });
 }
 
 }  // namespace impetus::inline commands

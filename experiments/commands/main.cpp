@@ -20,6 +20,19 @@
 #include "experiments/settings/input_error.hpp"
 #include "experiments/workers/worker_pool.hpp"
 
+namespace impetus::inline commands {
+namespace {
+
+/// In the order in which help lists them.
+constexpr AddCommand* kCommands[] = {
+    add_run,     add_check,   add_collect, add_exclude,   add_export, add_extremes, add_film,
+    add_fit,     add_merge,   add_new,     add_observers, add_power,  add_predict,  add_preview,
+    add_publish, add_recover, add_replay,  add_report,    add_screen, add_serve,    add_sessions,
+    add_timing,  add_verify,  add_mesh,    add_tree,      add_trade};
+
+}  // namespace
+}  // namespace impetus::inline commands
+
 namespace {
 
 constexpr int kMostThreads = 64;
@@ -142,32 +155,9 @@ int main(int argc, char** argv) {
       ->envname("IMPETUS_THREADS")
       ->capture_default_str();
   impetus::Command chosen;
-  impetus::add_run(app, chosen);
-  impetus::add_check(app, chosen);
-  impetus::add_collect(app, chosen);
-  impetus::add_exclude(app, chosen);
-  impetus::add_export(app, chosen);
-  impetus::add_extremes(app, chosen);
-  impetus::add_film(app, chosen);
-  impetus::add_fit(app, chosen);
-  impetus::add_merge(app, chosen);
-  impetus::add_new(app, chosen);
-  impetus::add_observers(app, chosen);
-  impetus::add_power(app, chosen);
-  impetus::add_predict(app, chosen);
-  impetus::add_preview(app, chosen);
-  impetus::add_publish(app, chosen);
-  impetus::add_recover(app, chosen);
-  impetus::add_replay(app, chosen);
-  impetus::add_report(app, chosen);
-  impetus::add_screen(app, chosen);
-  impetus::add_serve(app, chosen);
-  impetus::add_sessions(app, chosen);
-  impetus::add_timing(app, chosen);
-  impetus::add_verify(app, chosen);
-  impetus::add_mesh(app, chosen);
-  impetus::add_tree(app, chosen);
-  impetus::add_trade(app, chosen);
+  for (impetus::AddCommand* add : impetus::kCommands) {
+    add(app, chosen);
+  }
   try {
     app.parse(argc, argv);
     require_decimal_numbers(app);

@@ -1,7 +1,6 @@
 // `impetus merge`: files of several stations of one study, joined into one.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,13 +31,11 @@ int merge(const MergeOptions& options) {
 }  // namespace
 
 void add_merge(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<MergeOptions>();
-  CLI::App* command =
-      app.add_subcommand("merge", "Join the study files of several stations into one");
+  const auto [command, options] = add_command<MergeOptions>(
+      app, chosen, merge, "merge", "Join the study files of several stations into one");
   command->add_option("studies", options->sources, "Study files; they are not changed")->required();
   command->add_option("--into", options->into, "Study file; made when it does not exist")
       ->required();
-  command->callback([options, &chosen] { chosen = [options] { return merge(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -10,7 +10,6 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <sstream>
 
 #include "experiments/commands/commands.hpp"
@@ -224,7 +223,8 @@ class Dialog {
   StudyChoices choices_;
 };
 
-int make_new_study(NewOptions options) {
+int make_new_study(const NewOptions& given) {
+  NewOptions options = given;
   while (options.folder.size() > 1 && options.folder.back() == '/') {
     options.folder.pop_back();
   }
@@ -254,9 +254,9 @@ int make_new_study(NewOptions options) {
 }  // namespace
 
 void add_new(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<NewOptions>();
-  CLI::App* command = app.add_subcommand(
-      "new", "A study of one's own in a new folder; asks for what no option says");
+  const auto [command, options] =
+      add_command<NewOptions>(app, chosen, make_new_study, "new",
+                              "A study of one's own in a new folder; asks for what no option says");
   command
       ->add_option("name", options->folder,
                    "The folder; its name is the protocol's, such as bounce")
@@ -274,8 +274,6 @@ void add_new(CLI::App& app, Command& chosen) {
   command->add_option("--question", options->question, "The question's words");
   command->add_option("--language", options->language,
                       "The participants': ar, de, en, es, fr, pt or zh (default en)");
-  command->callback(
-      [options, &chosen] { chosen = [options] { return make_new_study(*options); }; });
 }
 
 }  // namespace impetus::inline commands

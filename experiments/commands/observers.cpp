@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/shipped_file.hpp"
@@ -134,16 +133,17 @@ int explain_observer(const std::string& name) {
   return kDone;
 }
 
+int tell_of_observers(const std::string& name) {
+  return name.empty() ? list_observers() : explain_observer(name);
+}
+
 }  // namespace
 
 void add_observers(CLI::App& app, Command& chosen) {
-  auto name = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "observers", "The simulated participants that there are, and what they are made of");
+  const auto [command, name] = add_command<std::string>(
+      app, chosen, tell_of_observers, "observers",
+      "The simulated participants that there are, and what they are made of");
   command->add_option("name", *name, "One of them, or a file: all of its parameters");
-  command->callback([name, &chosen] {
-    chosen = [name] { return name->empty() ? list_observers() : explain_observer(*name); };
-  });
 }
 
 }  // namespace impetus::inline commands

@@ -174,9 +174,8 @@ int predict(const PredictOptions& options) {
 }  // namespace
 
 void add_predict(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<PredictOptions>();
-  CLI::App* command = app.add_subcommand(
-      "predict",
+  const auto [command, options] = add_command<PredictOptions>(
+      app, chosen, predict, "predict",
       "What comes of each condition, what would without the other body, and what is expected");
   command->add_option("protocol", options->protocol, "A protocol whose scenes have a goal")
       ->required();
@@ -189,7 +188,6 @@ void add_predict(CLI::App& app, Command& chosen) {
   command->add_option("--seed", options->seed, "Of what is imagined")->capture_default_str();
   command->add_option("--paths", options->paths,
                       "Writes where each body is at each step, in pixels of the plane (CSV)");
-  command->callback([options, &chosen] { chosen = [options] { return predict(*options); }; });
 }
 
 }  // namespace impetus::inline commands

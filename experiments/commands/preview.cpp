@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -178,9 +177,9 @@ int preview(const PreviewOptions& options) {
 }  // namespace
 
 void add_preview(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<PreviewOptions>();
-  CLI::App* command = app.add_subcommand(
-      "preview", "Run a scene in a window, and change its schedule while it runs");
+  const auto [command, options] =
+      add_command<PreviewOptions>(app, chosen, preview, "preview",
+                                  "Run a scene in a window, and change its schedule while it runs");
   command->add_option("scene", options->scene, "Scene file")
       ->required()
       ->transform([](const std::string& name) { return shipped_file(name); });
@@ -199,7 +198,6 @@ void add_preview(CLI::App& app, Command& chosen) {
   command->add_option("--width", options->width_px,
                       "Of the picture, or each in the strip, in pixels");
   command->add_option("--height", options->height_px, "The same");
-  command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -113,16 +112,14 @@ int report(const ReportOptions& options) {
 }  // namespace
 
 void add_report(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand(
-      "report",
+  const auto [command, options] = add_command<ReportOptions>(
+      app, chosen, report, "report",
       "Figures, statistics and a methods section of a study, as a page to repeat (needs R)");
   command->add_option("study", options->study, "Study file; it is not changed")->required();
   command
       ->add_option("--out", options->out,
                    "The folder to write to: new, empty, or an earlier report, which it replaces")
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 
 }  // namespace impetus::inline commands

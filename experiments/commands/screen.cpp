@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "experiments/commands/commands.hpp"
@@ -110,11 +109,10 @@ int screen(const ScreenOptions& options) {
 }  // namespace
 
 void add_screen(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<ScreenOptions>();
-  CLI::App* command =
-      app.add_subcommand("screen",
-                         "Enter the screen's size and distance, and what a photometer "
-                         "says of its light, once per lab");
+  const auto [command, options] =
+      add_command<ScreenOptions>(app, chosen, screen, "screen",
+                                 "Enter the screen's size and distance, and what a photometer "
+                                 "says of its light, once per lab");
   command->add_option("--width-cm", options->width_cm, "Width of the visible picture")
       ->check(number_from(10.0, 300.0));
   command->add_option("--height-cm", options->height_cm, "Height of the visible picture")
@@ -134,7 +132,6 @@ void add_screen(CLI::App& app, Command& chosen) {
   gamma->check(number_from(0.5, 5.0))->needs(black)->needs(white);
   command->add_option("--file", options->file, "Where to keep it instead of the user's settings");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
-  command->callback([options, &chosen] { chosen = [options] { return screen(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/settings/optional_json.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/session_list.hpp"
 #include "experiments/tables/number_text.hpp"
@@ -169,7 +169,7 @@ json json_of(const ListedSession& sitting) {
           {"running", sitting.running},
           {"resumed", sitting.resumed},
           {"resumed_at", text_or_null(sitting.resumed_at)},
-          {"resumed_after_s", sitting.resumed_after_s ? json(*sitting.resumed_after_s) : json()},
+          {"resumed_after_s", sitting.resumed_after_s},
           {"completed_trials", sitting.completed_trials},
           {"sync_tries", sitting.sync_tries},
           {"sync_passed", sitting.sync_passed},
@@ -222,7 +222,7 @@ std::string session_json(const std::string& name, const SessionList& list) {
   json left_out = json::array();
   for (const LeftOut& one : list.left_out) {
     left_out.push_back({{"participant", one.participant},
-                        {"trial", one.trial ? json(*one.trial) : json()},
+                        {"trial", one.trial},
                         {"reason", one.reason},
                         {"decided_utc", one.decided_utc}});
   }
@@ -246,27 +246,24 @@ bool is_in_use(const std::string& path) { return !ReadingLock(path).held(); }
 int list_sessions(const SessionsOptions& options) {
   const bool in_use = is_in_use(options.study);
   StudyFile study = StudyFile::open_for_reading(options.study);
-  try {
+  return while_reading(study, [&] {
     const SessionList list = load_session_list(study, in_use);
     const std::string text =
         options.json ? session_json(study.name(), list) : session_words(study.name(), list);
     std::fputs(text.c_str(), stdout);
     return kDone;
-  } catch (const SQLite::Exception& error) {
-    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
-  }
+  });
 }
 
 }  // namespace
 
 void add_sessions(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<SessionsOptions>();
-  CLI::App* command = app.add_subcommand(
-      "sessions", "List a study's participants, their progress and their sessions");
+  const auto [command, options] = add_command<SessionsOptions>(
+      app, chosen, list_sessions, "sessions",
+      "List a study's participants, their progress and their sessions");
   command->add_option("study", options->study, "Study file; a session may be running on it")
       ->required();
   command->add_flag("--json", options->json, "As JSON");
-  command->callback([options, &chosen] { chosen = [options] { return list_sessions(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -219,9 +219,9 @@ int report_timing(const TimingOptions& /*options*/) {
 }  // namespace
 
 void add_timing(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<TimingOptions>();
-  CLI::App* command = app.add_subcommand(
-      "timing", "Measure this machine's flips, input and gaze in time: a page for the methods");
+  const auto [command, options] = add_command<TimingOptions>(
+      app, chosen, report_timing, "timing",
+      "Measure this machine's flips, input and gaze in time: a page for the methods");
   command->add_option("--out", options->out, "The folder to write to")->capture_default_str();
   command->add_option("--seconds", options->seconds, "That each of the six or seven parts takes")
       ->check(number_from(1.0, 3600.0))
@@ -241,7 +241,6 @@ void add_timing(CLI::App& app, Command& chosen) {
                     "Play sounds, and measure how near they come to when they were asked for");
   command->add_flag("--json", options->json, "Print the report as JSON, too");
   command->add_flag("--force", options->force, "Overwrite an earlier report");
-  command->callback([options, &chosen] { chosen = [options] { return report_timing(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,13 +80,12 @@ int verify(const VerifyOptions& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = app.add_subcommand(
-      "verify", "Check that a study file is whole, complete and as recorded: can it be published?");
+  const auto [command, options] = add_command<VerifyOptions>(
+      app, chosen, verify, "verify",
+      "Check that a study file is whole, complete and as recorded: can it be published?");
   command->add_option("study", options->study, "Study file; it is not changed")->required();
   command->add_flag("--replay", options->replay, "Simulate every trial again, too");
   command->add_flag("--json", options->json, "As JSON");
-  command->callback([options, &chosen] { chosen = [options] { return verify(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -55,6 +55,31 @@ bool takes_long(std::chrono::duration<double, std::milli> one, std::size_t more)
 
 // ---------------------------------------------------------------- what may be moved
 
+double MovableParameter::on_scale(double value) const {
+  const double smallest = from_scale(-reach());
+  switch (scale) {
+    case Scale::kLog:
+      return std::log(std::max(value, smallest) / unit);
+    case Scale::kShare: {
+      const double share = std::clamp(value, smallest, 1.0 - smallest);
+      return std::log(share / (1.0 - share));
+    }
+    default:
+      return value / unit;
+  }
+}
+
+double MovableParameter::from_scale(double x) const {
+  switch (scale) {
+    case Scale::kLog:
+      return unit * std::exp(x);
+    case Scale::kShare:
+      return 1.0 / (1.0 + std::exp(-x));
+    default:
+      return unit * x;
+  }
+}
+
 AnswerLikelihood::AnswerLikelihood(const ObserverKind& kind, const RatingParameters& start,
                                    const std::vector<AnsweringPerson>& people, bool as_group)
     : model_(&kind.answers), parameters_(model_->copy(start)) {

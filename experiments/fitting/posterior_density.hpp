@@ -2,8 +2,8 @@
 //
 //   log P(parameters | answers) = log P(answers | parameters) + Σ log prior
 //
-// Priors are normal on the scale on which a fit moves a parameter (movable_parameter.hpp), about
-// what the observer's file assumes: weak, so that answers that tell of a parameter overrule them.
+// Priors are normal on the scale on which a fit moves a parameter (likelihood.hpp), about what the
+// observer's file assumes: weak, so that answers that tell of a parameter overrule them.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "experiments/lines/record_lines.hpp"
@@ -16,81 +17,34 @@ namespace impetus::inline lines {
 template <typename R, typename T>
 concept MaybeConst = std::is_same_v<std::remove_const_t<R>, T>;
 
-inline void fields(MaybeConst<FactorLevel> auto& level, auto&& each) {
-  each("factor", level.factor);
-  each("value", level.value);
-}
+/// fields() of a type whose fields are called what their members are, at most 63 of them.
+#define IMPETUS_FIELD(member) each(#member, record.member);
+#define IMPETUS_FIELDS(Type, ...)                                         \
+  inline void fields(MaybeConst<Type> auto& record, auto&& each) {        \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(IMPETUS_FIELD, __VA_ARGS__)) \
+  }
 
-inline void fields(MaybeConst<SolvedValue> auto& solved, auto&& each) {
-  each("pointer", solved.pointer);
-  each("value", solved.value);
-}
+IMPETUS_FIELDS(FactorLevel, factor, value)
 
-inline void fields(MaybeConst<ScreenGeometry> auto& screen, auto&& each) {
-  each("width_m", screen.width_m);
-  each("height_m", screen.height_m);
-  each("width_px", screen.width_px);
-  each("height_px", screen.height_px);
-  each("viewing_distance_m", screen.viewing_distance_m);
-}
+IMPETUS_FIELDS(SolvedValue, pointer, value)
 
-inline void fields(MaybeConst<SyncTest> auto& sync, auto&& each) {
-  each("tries", sync.tries);
-  each("valid_flips", sync.valid_flips);
-  each("mean_interval_ns", sync.mean_interval_ns);
-  each("sd_interval_ns", sync.sd_interval_ns);
-  each("passed", sync.passed);
-  each("verdict", sync.verdict);
-}
+IMPETUS_FIELDS(ScreenGeometry, width_m, height_m, width_px, height_px, viewing_distance_m)
 
-inline void fields(MaybeConst<SessionRecord> auto& session, auto&& each) {
-  each("participant", session.participant);
-  each("seed", session.seed);
-  each("protocol_hash", session.protocol_hash);
-  each("build", session.build);
-  each("machine", session.machine);
-  each("display", session.display);
-  each("screen", session.screen);
-  each("screen_measured", session.screen_measured);
-  each("refresh_hz", session.refresh_hz);
-  each("rounding_allowed", session.rounding_allowed);
-  each("sync", session.sync);
-  each("gaze_source", session.gaze_source);
-}
+IMPETUS_FIELDS(SyncTest, tries, valid_flips, mean_interval_ns, sd_interval_ns, passed, verdict)
 
-inline void fields(MaybeConst<PlannedTrial> auto& trial, auto&& each) {
-  each("slot", trial.slot);
-  each("phase", trial.phase);
-  each("repetition", trial.repetition);
-  each("condition", trial.condition);
-  each("seed", trial.seed);
-  each("block", trial.block);
-  each("catch_trial", trial.catch_trial);
-  each("track", trial.track);
-  each("solved", trial.solved);
-  each("yoked_trial_id", trial.yoked_trial_id);
-}
+IMPETUS_FIELDS(SessionRecord, participant, seed, protocol_hash, build, machine, display, screen,
+               screen_measured, refresh_hz, rounding_allowed, sync, gaze_source)
 
-inline void fields(MaybeConst<ChosenLevel> auto& chosen, auto&& each) {
-  each("slot", chosen.slot);
-  each("condition", chosen.condition);
-  each("state", chosen.state);
-}
+IMPETUS_FIELDS(PlannedTrial, slot, phase, repetition, condition, seed, block, catch_trial, track,
+               solved, yoked_trial_id)
 
-inline void fields(MaybeConst<ScreenPoint> auto& point, auto&& each) {
-  each("x_m", point.x_m);
-  each("y_m", point.y_m);
-}
+IMPETUS_FIELDS(ChosenLevel, slot, condition, state)
 
-inline void fields(MaybeConst<GazeRegion> auto& region, auto&& each) {
-  each("centre", region.centre);
-  each("radius_deg", region.radius_deg);
-}
+IMPETUS_FIELDS(ScreenPoint, x_m, y_m)
 
-inline void fields(MaybeConst<NotFiniteBody> auto& found, auto&& each) {
-  each("body", found.body);
-  each("field", found.field);
-}
+IMPETUS_FIELDS(GazeRegion, centre, radius_deg)
+
+IMPETUS_FIELDS(NotFiniteBody, body, field)
 
 inline void fields(MaybeConst<StepRecord> auto& step, auto&& each) {
   each("step", step.step);
@@ -112,10 +66,7 @@ inline void fields(MaybeConst<StepRecord> auto& step, auto&& each) {
   each("cut_work", step.cut_work);
 }
 
-inline void fields(MaybeConst<ImposedSpin> auto& spin, auto&& each) {
-  each("a", spin.a);
-  each("b", spin.b);
-}
+IMPETUS_FIELDS(ImposedSpin, a, b)
 
 inline void fields(MaybeConst<CollisionRecord> auto& collision, auto&& each) {
   each("step", collision.step);
@@ -157,90 +108,25 @@ inline void fields(MaybeConst<FrameRecord> auto& frame, auto&& each) {
   each("patch", frame.patch);
 }
 
-inline void fields(MaybeConst<RatingRecord> auto& rating, auto&& each) {
-  each("rating", rating.rating);
-  each("minimum", rating.minimum);
-  each("maximum", rating.maximum);
-  each("best", rating.best);
-  each("low_anchor", rating.low_anchor);
-  each("high_anchor", rating.high_anchor);
-  each("device", rating.device);
-  each("question_shown_ns", rating.question_shown_ns);
-  each("arrived_ns", rating.arrived_ns);
-  each("arrival_uncertainty_ns", rating.arrival_uncertainty_ns);
-}
+IMPETUS_FIELDS(RatingRecord, rating, minimum, maximum, best, low_anchor, high_anchor, device,
+               question_shown_ns, arrived_ns, arrival_uncertainty_ns)
 
-inline void fields(MaybeConst<ClickRecord> auto& click, auto&& each) {
-  each("device", click.device);
-  each("arrived_ns", click.arrived_ns);
-  each("arrival_uncertainty_ns", click.arrival_uncertainty_ns);
-  each("interval", click.interval);
-}
+IMPETUS_FIELDS(ClickRecord, device, arrived_ns, arrival_uncertainty_ns, interval)
 
-inline void fields(MaybeConst<GazeSample> auto& sample, auto&& each) {
-  each("taken_ns", sample.taken_ns);
-  each("at", sample.at);
-  each("loss", sample.loss);
-  each("interval", sample.interval);
-}
+IMPETUS_FIELDS(GazeSample, taken_ns, at, loss, interval)
 
-inline void fields(MaybeConst<ResponseRecord> auto& response, auto&& each) {
-  each("kind", response.kind);
-  each("question", response.question);
-  each("answer", response.answer);
-  each("positive", response.positive);
-  each("correct", response.correct);
-  each("detail", response.detail);
-  each("device", response.device);
-  each("question_shown_ns", response.question_shown_ns);
-  each("arrived_ns", response.arrived_ns);
-  each("arrival_uncertainty_ns", response.arrival_uncertainty_ns);
-  each("timed_out", response.timed_out);
-}
+IMPETUS_FIELDS(ResponseRecord, kind, question, answer, positive, correct, detail, device,
+               question_shown_ns, arrived_ns, arrival_uncertainty_ns, timed_out)
 
-inline void fields(MaybeConst<AttemptRecord> auto& attempt, auto&& each) {
-  each("slot", attempt.slot);
-  each("number", attempt.number);
-  each("outcome", attempt.outcome);
-  each("onset_ns", attempt.onset_ns);
-  each("body_names", attempt.body_names);
-  each("wall_naming", attempt.wall_naming);
-  each("steps", attempt.steps);
-  each("collisions", attempt.collisions);
-  each("frames", attempt.frames);
-  each("ratings", attempt.ratings);
-  each("clicks", attempt.clicks);
-  each("gaze_source", attempt.gaze_source);
-  each("gaze", attempt.gaze);
-  each("region_covered_share", attempt.region_covered_share);
-  each("gaze_latency_p95_ms", attempt.gaze_latency_p95_ms);
-  each("intended_hold_s", attempt.intended_hold_s);
-  each("realised_hold_s", attempt.realised_hold_s);
-  each("late_untimed_frames", attempt.late_untimed_frames);
-  each("responses", attempt.responses);
-  each("interrupted_by", attempt.interrupted_by);
-  each("gaze_lost_share", attempt.gaze_lost_share);
-  each("imposed_gaze_latency_s", attempt.imposed_gaze_latency_s);
-}
+IMPETUS_FIELDS(AttemptRecord, slot, number, outcome, onset_ns, body_names, wall_naming, steps,
+               collisions, frames, ratings, clicks, gaze_source, gaze, region_covered_share,
+               gaze_latency_p95_ms, intended_hold_s, realised_hold_s, late_untimed_frames,
+               responses, interrupted_by, gaze_lost_share, imposed_gaze_latency_s)
 
-inline void fields(MaybeConst<CalibrationPointRecord> auto& point, auto&& each) {
-  each("shown", point.shown);
-  each("gaze", point.gaze);
-  each("accuracy_deg", point.accuracy_deg);
-  each("precision_rms_deg", point.precision_rms_deg);
-  each("precision_sd_deg", point.precision_sd_deg);
-  each("samples", point.samples);
-  each("lost", point.lost);
-}
+IMPETUS_FIELDS(CalibrationPointRecord, shown, gaze, accuracy_deg, precision_rms_deg,
+               precision_sd_deg, samples, lost)
 
-inline void fields(MaybeConst<GazeCorrection> auto& correction, auto&& each) {
-  each("x0_m", correction.x0_m);
-  each("xx", correction.xx);
-  each("xy", correction.xy);
-  each("y0_m", correction.y0_m);
-  each("yx", correction.yx);
-  each("yy", correction.yy);
-}
+IMPETUS_FIELDS(GazeCorrection, x0_m, xx, xy, y0_m, yx, yy)
 
 inline void fields(MaybeConst<CalibrationRecord> auto& calibration, auto&& each) {
   each("calibration", calibration.kind);
@@ -273,6 +159,9 @@ inline void fields(MaybeConst<NoteRecord> auto& note, auto&& each) {
 }
 
 inline void fields(MaybeConst<FinishedRecord> auto& /*finished*/, auto&& /*each*/) {}
+
+#undef IMPETUS_FIELDS
+#undef IMPETUS_FIELD
 
 template <typename E>
 struct Names;

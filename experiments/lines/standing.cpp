@@ -2,12 +2,12 @@
 #include "experiments/lines/standing.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/session/practice.hpp"
+#include "experiments/settings/optional_json.hpp"
 
 namespace impetus::inline lines {
 namespace {
@@ -39,16 +39,6 @@ void add_attempt(const AttemptRecord& attempt, Standing& standing) {
   }
 }
 
-template <typename T>
-json or_null(const std::optional<T>& value) {
-  return value ? json(*value) : json();
-}
-
-template <typename T>
-std::optional<T> read_optional(const json& from) {
-  return from.is_null() ? std::nullopt : std::optional(from.get<T>());
-}
-
 }  // namespace
 
 void add(const AnyRecord& record, Standing& standing) {
@@ -66,7 +56,7 @@ void add(const AnyRecord& record, Standing& standing) {
 json to_json(const Standing& standing, const Design& design) {
   json practice = json::array();
   for (const auto& [slot, result] : standing.history.practice) {
-    practice.push_back({slot, or_null(result.rating), result.clicks, or_null(result.right)});
+    practice.push_back({slot, result.rating, result.clicks, result.right});
   }
   json levels = json::array();
   for (const PlannedTrial& trial : standing.plan) {
@@ -92,9 +82,9 @@ Standing standing_from(const json& from, Plan plan, const Design& design) {
   from.at("counted").get_to(history.counted_answers);
   for (const json& row : from.at("practice")) {
     PracticeResult& result = history.practice[row.at(0).get<std::int64_t>()];
-    result.rating = read_optional<std::int64_t>(row.at(1));
-    result.clicks = row.at(2).get<std::int64_t>();
-    result.right = read_optional<bool>(row.at(3));
+    row.at(1).get_to(result.rating);
+    row.at(2).get_to(result.clicks);
+    row.at(3).get_to(result.right);
   }
   for (const json& row : from.at("levels")) {
     trial_at(row.at(0).get<std::int64_t>(), standing.plan).condition =

@@ -28,28 +28,19 @@ struct AdaptingParameters : RatingParameters {
 };
 
 std::vector<ParameterEntry> adapting_entries(AdaptingParameters& own) {
-  return {{"overlap_threshold", -1.0, 2.0, &own.overlap_threshold,
-           "The overlap that is as often a launch as a pass, a share of the second's width."},
-          {"overlap_threshold_sd", 0.0, 2.0, &own.overlap_threshold_sd,
-           "Spread of that overlap between participants."},
-          {"overlap_width", 1e-3, 2.0, &own.overlap_width,
-           "How wide its function is: a standard deviation."},
-          {"shift", -2.0, 2.0, &own.shift,
-           "How much less overlap is a pass when launches have worn off altogether."},
-          {"rate", 0.0, 1.0, &own.rate, "Of what is left of that, the share that a launch takes."},
-          {"fading", 0.0, 1.0, &own.fading,
-           "The share of adaptation that goes with anything else that is shown."},
-          {"lapse_rate", 0.0, 1.0, &own.lapse_rate, "The share of answers that are anything."},
-          {"reaction_median_ms", 0.0, kAny, &own.reaction_median_ms,
-           "Median of the times from question to answer, which are lognormal."},
-          {"reaction_sigma_log", 0.0, kAny, &own.reaction_sigma_log,
-           "Standard deviation of the natural logarithm of these times."}};
-}
-
-std::shared_ptr<const RatingParameters> read_adapting(const JsonDocument& document) {
-  auto own = std::make_shared<AdaptingParameters>();
-  read_numbers(document, adapting_entries(*own), {}, nullptr);
-  return own;
+  return with_answering_entries(
+      own,
+      {{"overlap_threshold", -1.0, 2.0, &own.overlap_threshold,
+        "The overlap that is as often a launch as a pass, a share of the second's width."},
+       {"overlap_threshold_sd", 0.0, 2.0, &own.overlap_threshold_sd,
+        "Spread of that overlap between participants."},
+       {"overlap_width", 1e-3, 2.0, &own.overlap_width,
+        "How wide its function is: a standard deviation."},
+       {"shift", -2.0, 2.0, &own.shift,
+        "How much less overlap is a pass when launches have worn off altogether."},
+       {"rate", 0.0, 1.0, &own.rate, "Of what is left of that, the share that a launch takes."},
+       {"fading", 0.0, 1.0, &own.fading,
+        "The share of adaptation that goes with anything else that is shown."}});
 }
 
 /// Judges how far the first stopped over the second, by what was seen before.
@@ -58,10 +49,6 @@ class AdaptingObserver final : public RatingObserver {
   AdaptingObserver(const AdaptingParameters& parameters, const Birth& birth)
       : RatingObserver(parameters, birth, "adapting"), own_(parameters) {
     threshold_ = own_.overlap_threshold + own_.overlap_threshold_sd * normal();
-  }
-
-  [[nodiscard]] double yes_probability(double seen) const override {
-    return 0.5 * own_.lapse_rate + (1.0 - own_.lapse_rate) * seen;
   }
 
  private:
@@ -85,16 +72,14 @@ class AdaptingObserver final : public RatingObserver {
 }  // namespace
 
 const ObserverKind& adapting_observer() {
-  static AdaptingParameters nobody;
   static const ObserverKind kind{
       .name = "adapting",
       .words = "Sees one disc launch another or pass it by, and less of launches the more it saw.",
       .attention = {"how far the first stops over the second", {"launch/gap", "position"}},
-      .parameters = adapting_entries(nobody),
-      .read = read_adapting,
+      .parameters = list_of<AdaptingParameters, adapting_entries>(),
+      .read = read_with<AdaptingParameters, adapting_entries, answer_blindly_by_lapses>,
       .make = make_own<AdaptingParameters, AdaptingObserver>,
-      .has_own_scale = true,
-      .effect_is_of_all = false};
+      .has_own_scale = true};
   return kind;
 }
 

@@ -82,6 +82,9 @@ struct AnswerModel {
   /// Parameters that a fit looks for beside those of all ratings, the most telling first.
   std::vector<std::string> fitted{};
   std::vector<TraitSpread> spreads{};
+  /// Of a ModelledObserver, which draws its threshold before its other traits where this is null.
+  /// Else after them, and only where this spread is above 0.
+  double (*late_threshold_sd)(const RatingParameters& parameters){nullptr};
 
   /// Each parameter of the file and where it lies in `parameters`, which must be the kind's.
   std::vector<ParameterEntry> (*entries)(RatingParameters& parameters){nullptr};

@@ -40,12 +40,6 @@ std::vector<ParameterEntry> awaiting_entries(AwaitingParameters& own) {
           {"lapse_rate", 0.0, 1.0, &own.lapse_rate, "The share of animations without a click."}};
 }
 
-std::shared_ptr<const RatingParameters> read_awaiting(const JsonDocument& document) {
-  auto own = std::make_shared<AwaitingParameters>();
-  read_numbers(document, awaiting_entries(*own), {}, nullptr);
-  return own;
-}
-
 /// Clicks once in each stimulus.
 class AwaitingObserver final : public RatingObserver {
  public:
@@ -83,17 +77,15 @@ class AwaitingObserver final : public RatingObserver {
 }  // namespace
 
 const ObserverKind& awaiting_observer() {
-  static AwaitingParameters nobody;
   static const ObserverKind kind{
       .name = "awaiting",
       .words = "Clicks when two bodies touch out of sight, as it imagines their shapes.",
       .attention = {"the shapes, and when they touch", {"shape", "lead", "gap"}},
       .clicks = true,
-      .parameters = awaiting_entries(nobody),
-      .read = read_awaiting,
+      .parameters = list_of<AwaitingParameters, awaiting_entries>(),
+      .read = read_with<AwaitingParameters, awaiting_entries>,
       .make = make_own<AwaitingParameters, AwaitingObserver>,
-      .has_own_scale = true,
-      .effect_is_of_all = false};
+      .has_own_scale = true};
   return kind;
 }
 

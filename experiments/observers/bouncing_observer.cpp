@@ -25,24 +25,14 @@ struct BouncingParameters : RatingParameters {
 };
 
 std::vector<ParameterEntry> bouncing_entries(BouncingParameters& own) {
-  return {
-      {"silent", 0.0, 1.0, &own.silent, "How often it is a bounce without a sound."},
-      {"silent_sd", 0.0, 1.0, &own.silent_sd, "Spread of that between participants."},
-      {"with_sound", 0.0, 1.0, &own.with_sound, "How often with a sound at its best lag."},
-      {"centre_ms", -1000.0, 1000.0, &own.centre_ms, "The best lag; below 0 the sound is first."},
-      {"width_ms", 1.0, 5000.0, &own.width_ms,
-       "How far from it sounds still count: a standard deviation."},
-      {"lapse_rate", 0.0, 1.0, &own.lapse_rate, "The share of answers that are anything."},
-      {"reaction_median_ms", 0.0, kAny, &own.reaction_median_ms,
-       "Median of the times from question to answer, which are lognormal."},
-      {"reaction_sigma_log", 0.0, kAny, &own.reaction_sigma_log,
-       "Standard deviation of the natural logarithm of these times."}};
-}
-
-std::shared_ptr<const RatingParameters> read_bouncing(const JsonDocument& document) {
-  auto own = std::make_shared<BouncingParameters>();
-  read_numbers(document, bouncing_entries(*own), {}, nullptr);
-  return own;
+  return with_answering_entries(
+      own,
+      {{"silent", 0.0, 1.0, &own.silent, "How often it is a bounce without a sound."},
+       {"silent_sd", 0.0, 1.0, &own.silent_sd, "Spread of that between participants."},
+       {"with_sound", 0.0, 1.0, &own.with_sound, "How often with a sound at its best lag."},
+       {"centre_ms", -1000.0, 1000.0, &own.centre_ms, "The best lag; below 0 the sound is first."},
+       {"width_ms", 1.0, 5000.0, &own.width_ms,
+        "How far from it sounds still count: a standard deviation."}});
 }
 
 /// Goes by the lag that the scene asks for.
@@ -51,10 +41,6 @@ class BouncingObserver final : public RatingObserver {
   BouncingObserver(const BouncingParameters& parameters, const Birth& birth)
       : RatingObserver(parameters, birth, "bouncing"), own_(parameters) {
     silent_ = std::clamp(own_.silent + own_.silent_sd * normal(), 0.0, 1.0);
-  }
-
-  [[nodiscard]] double yes_probability(double seen) const override {
-    return 0.5 * own_.lapse_rate + (1.0 - own_.lapse_rate) * seen;
   }
 
  private:
@@ -73,16 +59,14 @@ class BouncingObserver final : public RatingObserver {
 }  // namespace
 
 const ObserverKind& bouncing_observer() {
-  static BouncingParameters nobody;
   static const ObserverKind kind{
       .name = "bouncing",
       .words = "Sees two discs bounce rather than stream, the nearer a sound is to their meeting.",
       .attention = {"when a sound is heard", {"sound/lag", "sound/kind"}},
-      .parameters = bouncing_entries(nobody),
-      .read = read_bouncing,
+      .parameters = list_of<BouncingParameters, bouncing_entries>(),
+      .read = read_with<BouncingParameters, bouncing_entries, answer_blindly_by_lapses>,
       .make = make_own<BouncingParameters, BouncingObserver>,
-      .has_own_scale = true,
-      .effect_is_of_all = false};
+      .has_own_scale = true};
   return kind;
 }
 

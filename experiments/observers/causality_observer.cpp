@@ -1,10 +1,25 @@
+// A simulated participant of the causality study: belief in the collision falls with its delay.
+//
+//   seen = Φ((τ − μ_i) / σ)
+//
+// τ is the freeze that was really shown; μ_i belongs to the participant. The parameters are in
+// experiments/observers/causality.json.
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/causality_observer.hpp"
-
+#include "experiments/observers/observer_kinds.hpp"
 #include "experiments/observers/shown_truths.hpp"
 
 namespace impetus::inline observers {
+
+const ObserverKind& causality_observer();
+
 namespace {
+
+/// What a participant of the causality study is made of.
+struct CausalityParameters : RatingParameters {
+  double threshold_mean_ms{0.0};  ///< μ over participants
+  double threshold_sd_ms{0.0};
+  double threshold_width_ms{1.0};  ///< σ of the psychometric function
+};
 
 std::vector<ParameterEntry> causality_entries(CausalityParameters& own) {
   return {{"threshold_mean_ms", -kAny, kAny, &own.threshold_mean_ms,
@@ -17,41 +32,29 @@ std::vector<ParameterEntry> causality_entries(CausalityParameters& own) {
           {"miss_rate", 0.0, 1.0, &own.yes_miss_rate, "No where it is clearly seen.", true}};
 }
 
-double seen_delay(const CausalityParameters& own, const Traits& traits, double delay_ms) {
+/// The longest freeze of all that was shown.
+Percept shown_delay(const RatingParameters& /*parameters*/, const AttemptRecord& shown,
+                    const StagedScene& /*scene*/) {
+  return {longest_delay_ms(shown)};
+}
+
+double seen_delay(const RatingParameters& parameters, const Traits& traits,
+                  const Percept& percept) {
+  const auto& own = static_cast<const CausalityParameters&>(parameters);
   const double threshold_ms = own.threshold_mean_ms + own.threshold_sd_ms * traits.threshold;
-  return normal_cdf((delay_ms - threshold_ms) / own.threshold_width_ms);
+  return normal_cdf((percept[0] - threshold_ms) / own.threshold_width_ms);
 }
 
 AnswerModel causality_answers() {
   AnswerModel answers = answers_of_own<CausalityParameters, causality_entries>(
       {"threshold_mean_ms", "threshold_width_ms", "guess_rate", "miss_rate"},
       {{"threshold_sd_ms", &Traits::threshold}});
-  answers.percept = [](const RatingParameters& /*parameters*/, const AttemptRecord& shown,
-                       const StagedScene& /*scene*/) -> Percept {
-    return {longest_delay_ms(shown)};
-  };
-  answers.seen = [](const RatingParameters& parameters, const Traits& traits,
-                    const Percept& percept) {
-    return seen_delay(static_cast<const CausalityParameters&>(parameters), traits, percept[0]);
-  };
+  answers.percept = shown_delay;
+  answers.seen = seen_delay;
   return answers;
 }
 
 }  // namespace
-
-CausalityObserver::CausalityObserver(const CausalityParameters& parameters, const Birth& birth)
-    : RatingObserver(parameters, birth, "causality"), parameters_(parameters) {
-  traits_.threshold = normal();
-  draw_traits();
-}
-
-double CausalityObserver::seen_at(double delay_ms) const {
-  return seen_delay(parameters_, traits_, delay_ms);
-}
-
-double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*scene*/) {
-  return seen_at(longest_delay_ms(shown));
-}
 
 const ObserverKind& causality_observer() {
   static const ObserverKind kind{.name = "causality",
@@ -59,7 +62,7 @@ const ObserverKind& causality_observer() {
                                  .attention = {"the delay at contact", {"contact_hold"}},
                                  .parameters = list_own<CausalityParameters, causality_entries>(),
                                  .read = read_own<CausalityParameters, causality_entries>,
-                                 .make = make_own<CausalityParameters, CausalityObserver>,
+                                 .make = make_modelled<causality_observer>,
                                  .answers = causality_answers()};
   return kind;
 }

@@ -9,16 +9,9 @@
 
 namespace impetus::inline observers {
 
+const ObserverKind& gap_thresholds_observer();
+
 namespace {
-
-constexpr const char* kThresholds = "gap-thresholds";
-
-/// The same where thresholds are sought: crowd and t are in the file.
-class ThresholdsObserver final : public GapObserver {
- public:
-  ThresholdsObserver(const GapParameters& parameters, const Birth& birth)
-      : GapObserver(parameters, birth, kThresholds) {}
-};
 
 std::vector<ParameterEntry> thresholds_entries(GapParameters& gap) {
   std::vector<ParameterEntry> entries = gap_entries(gap);
@@ -54,20 +47,17 @@ double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, doub
 
 namespace {
 
-double threshold_of(const GapParameters& own, const Traits& traits, double eccentricity_deg,
-                    double speed_deg_s, double bodies) {
-  const double crowd = std::max(0.0, bodies - 2.0);
-  return gap_threshold_arcmin(own.threshold_arcmin, eccentricity_deg, speed_deg_s) *
-         std::pow(10.0, own.threshold_sd_log10 * traits.threshold) *
-         (1.0 + own.crowding_per_body * crowd);
-}
-
-double seen_gap_of(const GapParameters& own, const Traits& traits, double visible_arcmin,
-                   double eccentricity_deg, double speed_deg_s, double bodies) {
+/// Probability that a gap is seen.
+double seen_gap(const GapParameters& own, const Traits& traits, double visible_arcmin,
+                double eccentricity_deg, double speed_deg_s, double bodies) {
   if (visible_arcmin <= 0.0) {
     return own.guess_rate;
   }
-  const double threshold = threshold_of(own, traits, eccentricity_deg, speed_deg_s, bodies);
+  const double crowd = std::max(0.0, bodies - 2.0);
+  const double threshold =
+      gap_threshold_arcmin(own.threshold_arcmin, eccentricity_deg, speed_deg_s) *
+      std::pow(10.0, own.threshold_sd_log10 * traits.threshold) *
+      (1.0 + own.crowding_per_body * crowd);
   return own.guess_rate + (1.0 - own.guess_rate - own.miss_rate) *
                               normal_cdf(std::log10(visible_arcmin / threshold) / own.width_log10);
 }
@@ -99,8 +89,8 @@ double clearest_gap(const RatingParameters& parameters, const Traits& traits,
   const auto& own = static_cast<const GapParameters&>(parameters);
   double clearest = own.guess_rate;
   for (std::size_t at = 1; at < percept.size(); at += 3) {
-    clearest = std::max(clearest, seen_gap_of(own, traits, percept[at], percept[at + 1],
-                                              percept[at + 2], percept[0]));
+    clearest = std::max(
+        clearest, seen_gap(own, traits, percept[at], percept[at + 1], percept[at + 2], percept[0]));
   }
   return clearest;
 }
@@ -111,35 +101,13 @@ AnswerModel gap_answers(std::vector<std::string> fitted, std::vector<TraitSpread
       answers_of_own<GapParameters, entries>(std::move(fitted), std::move(spreads));
   answers.percept = shown_gaps;
   answers.seen = clearest_gap;
+  answers.late_threshold_sd = [](const RatingParameters& parameters) {
+    return static_cast<const GapParameters&>(parameters).threshold_sd_log10;
+  };
   return answers;
 }
 
 }  // namespace
-
-GapObserver::GapObserver(const GapParameters& parameters, const Birth& birth,
-                         const std::string& study)
-    : RatingObserver(parameters, birth, study), parameters_(parameters) {
-  draw_traits();
-  if (parameters_.threshold_sd_log10 > 0.0) {
-    traits_.threshold = normal();
-  }
-}
-
-double GapObserver::threshold_arcmin(double eccentricity_deg, double speed_deg_s,
-                                     std::size_t bodies) const {
-  return threshold_of(parameters_, traits_, eccentricity_deg, speed_deg_s,
-                      static_cast<double>(bodies));
-}
-
-double GapObserver::seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
-                             std::size_t bodies) const {
-  return seen_gap_of(parameters_, traits_, visible_arcmin, eccentricity_deg, speed_deg_s,
-                     static_cast<double>(bodies));
-}
-
-double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
-  return clearest_gap(parameters_, traits_, shown_gaps(parameters_, shown, scene));
-}
 
 std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
   return {{"threshold_arcmin", 1e-3, kAny, &gap.threshold_arcmin,
@@ -157,7 +125,7 @@ const ObserverKind& gap_observer() {
       .attention = gap_attention(),
       .parameters = list_own<GapParameters, gap_entries>(),
       .read = read_own<GapParameters, gap_entries>,
-      .make = make_own<GapParameters, GapObserver>,
+      .make = make_modelled<gap_observer>,
       .answers = gap_answers<gap_entries>(
           {"threshold_arcmin", "width_log10", "guess_rate", "miss_rate"}, {})};
   return kind;
@@ -165,14 +133,14 @@ const ObserverKind& gap_observer() {
 
 const ObserverKind& gap_thresholds_observer() {
   static const ObserverKind kind{
-      .name = kThresholds,
+      .name = "gap-thresholds",
       .words =
           "Notices such a gap, less well in a crowd, by a threshold "
           "of each participant's own.",
       .attention = gap_attention(),
       .parameters = list_own<GapParameters, thresholds_entries>(),
       .read = read_own<GapParameters, thresholds_entries>,
-      .make = make_own<GapParameters, ThresholdsObserver>,
+      .make = make_modelled<gap_thresholds_observer>,
       .answers = gap_answers<thresholds_entries>(
           {"threshold_arcmin", "width_log10", "guess_rate", "miss_rate", "crowding_per_body"},
           {{"threshold_sd_log10", &Traits::threshold}})};

@@ -32,28 +32,10 @@ struct GapParameters : RatingParameters {
   double threshold_sd_log10{0.0};  ///< of t over participants
 };
 
-/// Judges the clearest gap between two bodies of all that was shown.
-class GapObserver : public RatingObserver {
- public:
-  GapObserver(const GapParameters& parameters, const Birth& birth,
-              const std::string& study = "gap");
-
-  /// Probability that a gap is seen.
-  [[nodiscard]] double seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
-                                std::size_t bodies = 2) const;
-
-  /// g₅₀ (minutes of arc) of this participant.
-  [[nodiscard]] double threshold_arcmin(double eccentricity_deg, double speed_deg_s,
-                                        std::size_t bodies) const;
-
- protected:
-  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
-
- private:
-  GapParameters parameters_;
-};
-
 /// The numbers that all who look for gaps have.
 std::vector<ParameterEntry> gap_entries(GapParameters& gap);
+
+/// He judges the clearest gap between two bodies of all that was shown.
+const ObserverKind& gap_observer();
 
 }  // namespace impetus::inline observers

@@ -12,7 +12,7 @@
 
 namespace impetus::inline observers {
 
-const ObserverKind& gap_observer();
+const ObserverKind& gaze_observer();
 
 namespace {
 

@@ -51,7 +51,7 @@ std::vector<ParameterEntry> launching_entries(LaunchingParameters& own) {
        true}};
 }
 
-/// Of what was shown: the longest freeze (ms) and the widest gap (minutes of arc).
+/// Of all that was shown: the longest freeze (ms) and the widest gap (minutes of arc).
 Percept shown_launch(const RatingParameters& parameters, const AttemptRecord& shown,
                      const StagedScene& scene) {
   const double level = static_cast<const LaunchingParameters&>(parameters).level;
@@ -87,25 +87,15 @@ AnswerModel launching_answers() {
   return answers;
 }
 
-/// Judges the longest freeze and the widest gap of all that was shown.
-class LaunchingObserver final : public RatingObserver {
+/// Marks a line with the noise of a hand.
+class LaunchingObserver final : public ModelledObserver {
  public:
-  LaunchingObserver(const LaunchingParameters& parameters, const Birth& birth)
-      : RatingObserver(parameters, birth, "launching"), parameters_(parameters) {
-    traits_.threshold = normal();
-    draw_traits();
-  }
+  using ModelledObserver::ModelledObserver;
 
   double mark() override {
-    return std::clamp(1.0 - clearest() + parameters_.mark_sd * normal(), 0.0, 1.0);
+    const double sd = static_cast<const LaunchingParameters&>(parameters()).mark_sd;
+    return std::clamp(1.0 - clearest() + sd * normal(), 0.0, 1.0);
   }
-
- private:
-  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override {
-    return seen_launch(parameters_, traits_, shown_launch(parameters_, shown, scene));
-  }
-
-  LaunchingParameters parameters_;
 };
 
 }  // namespace
@@ -117,7 +107,7 @@ const ObserverKind& launching_observer() {
       .attention = {"the delay at contact and the gap there", {"contact_hold", "gap"}},
       .parameters = list_own<LaunchingParameters, launching_entries>(),
       .read = read_own<LaunchingParameters, launching_entries>,
-      .make = make_own<LaunchingParameters, LaunchingObserver>,
+      .make = make_modelled<launching_observer, LaunchingObserver>,
       .answers = launching_answers()};
   return kind;
 }

@@ -160,6 +160,17 @@ std::vector<ParameterEntry> with_rating_entries(RatingParameters& rating,
   return own;
 }
 
+std::vector<ParameterEntry> with_answering_entries(RatingParameters& answering,
+                                                   std::vector<ParameterEntry> own) {
+  own.insert(own.end(), {{"lapse_rate", 0.0, 1.0, &answering.lapse_rate,
+                          "The share of answers that are anything."},
+                         {"reaction_median_ms", 0.0, kAny, &answering.reaction_median_ms,
+                          "Median of the times from question to answer, which are lognormal."},
+                         {"reaction_sigma_log", 0.0, kAny, &answering.reaction_sigma_log,
+                          "Standard deviation of the natural logarithm of these times."}});
+  return own;
+}
+
 void read_numbers(const JsonDocument& document, const std::vector<ParameterEntry>& entries,
                   const Form& settings, std::vector<double>* cuts) {
   const std::vector<std::string> names =
@@ -216,6 +227,21 @@ double RatingObserver::yes_probability(double seen) const { return yes_chance(pa
 
 double RatingObserver::first_probability(double seen_first, double seen_second) const {
   return first_chance(parameters_, seen_first, seen_second);
+}
+
+ModelledObserver::ModelledObserver(const ObserverKind& kind, const RatingParameters& parameters,
+                                   const Birth& birth)
+    : RatingObserver(parameters, birth, kind.name),
+      answers_(&kind.answers),
+      parameters_(answers_->copy(parameters)) {
+  const bool threshold_is_late = answers_->late_threshold_sd != nullptr;
+  if (!threshold_is_late) {
+    traits_.threshold = normal();
+  }
+  draw_traits();
+  if (threshold_is_late && answers_->late_threshold_sd(*parameters_) > 0.0) {
+    traits_.threshold = normal();
+  }
 }
 
 Answer RatingObserver::ask(const Page& page) {

@@ -174,47 +174,119 @@ OrderedJson observer_file_schema();
 std::vector<ParameterEntry> with_rating_entries(RatingParameters& rating,
                                                 std::vector<ParameterEntry> own);
 
+/// The same of a kind with a scale of its own: its numbers, then its lapses and the times of its
+/// answers.
+std::vector<ParameterEntry> with_answering_entries(RatingParameters& answering,
+                                                   std::vector<ParameterEntry> own);
+
 /// Reads these numbers, and the cuts between points where a file of the kind has them. Throws
 /// InputError: an unknown number, one that is missing, out of its range or without its unit and
 /// source; anything else that `settings` does not allow.
 void read_numbers(const JsonDocument& document, const std::vector<ParameterEntry>& entries,
                   const Form& settings, std::vector<double>* cuts);
 
-/// The kind's `parameters`, and its read() and make(), where the participant is made of
-/// `Parameters` with the numbers that `entries` lists of them.
-template <typename Parameters, std::vector<ParameterEntry> (*entries)(Parameters&)>
-std::vector<ParameterEntry> list_own() {
-  static Parameters nobody;
-  return with_rating_entries(nobody, entries(nobody));
+/// Lists the numbers of `Parameters` that a file gives.
+template <typename Parameters>
+using Lister = std::vector<ParameterEntry> (*)(Parameters&);
+
+/// A lapse answers yes as often as no.
+inline void answer_blindly_by_lapses(RatingParameters& parameters) {
+  parameters.yes_guess_rate = 0.5 * parameters.lapse_rate;
+  parameters.yes_miss_rate = 0.5 * parameters.lapse_rate;
 }
-template <typename Parameters, std::vector<ParameterEntry> (*entries)(Parameters&)>
-std::shared_ptr<const RatingParameters> read_own(const JsonDocument& document) {
+
+/// The `parameters` and the read() of a kind with a scale of its own, made of `Parameters` with the
+/// numbers that `entries` lists of them and no others; then `settle` makes those follow that follow
+/// from them.
+template <typename Parameters, Lister<Parameters> entries>
+std::vector<ParameterEntry> list_of() {
+  static Parameters nobody;
+  return entries(nobody);
+}
+template <typename Parameters, Lister<Parameters> entries,
+          void (*settle)(RatingParameters&) = nullptr>
+std::shared_ptr<const RatingParameters> read_with(const JsonDocument& document) {
   auto parameters = std::make_shared<Parameters>();
-  read_numbers(document, with_rating_entries(*parameters, entries(*parameters)), {},
-               &parameters->cuts);
+  read_numbers(document, entries(*parameters), {}, nullptr);
+  if constexpr (settle != nullptr) {
+    settle(*parameters);
+  }
   return parameters;
 }
+
+/// The same of a kind that rates on a scale with cuts: the numbers of all who do come after the
+/// ones that `entries` lists.
+template <typename Parameters, Lister<Parameters> entries>
+std::vector<ParameterEntry> rating_entries(Parameters& parameters) {
+  return with_rating_entries(parameters, entries(parameters));
+}
+template <typename Parameters, Lister<Parameters> entries>
+std::vector<ParameterEntry> list_own() {
+  return list_of<Parameters, rating_entries<Parameters, entries>>();
+}
+template <typename Parameters, Lister<Parameters> entries>
+std::shared_ptr<const RatingParameters> read_own(const JsonDocument& document) {
+  auto parameters = std::make_shared<Parameters>();
+  read_numbers(document, rating_entries<Parameters, entries>(*parameters), {}, &parameters->cuts);
+  return parameters;
+}
+
+/// The make() of a kind whose participants are of the class `Observer`.
 template <typename Parameters, typename Observer>
 std::unique_ptr<RatingObserver> make_own(const RatingParameters& parameters, const Birth& birth) {
   return std::make_unique<Observer>(static_cast<const Parameters&>(parameters), birth);
 }
 
-/// The same for a fit: the kind's `answers`, to which it adds what it sees.
-template <typename Parameters, std::vector<ParameterEntry> (*own_entries)(Parameters&)>
-AnswerModel answers_of_own(std::vector<std::string> fitted, std::vector<TraitSpread> spreads) {
+/// The kind's `answers`, as far as they follow from its numbers; it adds what it sees, and how it
+/// answers by that.
+template <typename Parameters, Lister<Parameters> list>
+AnswerModel answers_with() {
   AnswerModel answers;
-  answers.fitted = std::move(fitted);
-  answers.spreads = std::move(spreads);
-  answers.spreads.push_back({"intercept_sd", &Traits::intercept});
-  answers.spreads.push_back({"effect_sd", &Traits::slope});
-  answers.rating = cumulative_rating;
   answers.entries = [](RatingParameters& parameters) {
-    return with_rating_entries(parameters, own_entries(static_cast<Parameters&>(parameters)));
+    return list(static_cast<Parameters&>(parameters));
   };
   answers.copy = [](const RatingParameters& parameters) -> std::shared_ptr<RatingParameters> {
     return std::make_shared<Parameters>(static_cast<const Parameters&>(parameters));
   };
   return answers;
+}
+
+/// The same of a kind that rates on a scale with cuts: it adds what it sees.
+template <typename Parameters, Lister<Parameters> entries>
+AnswerModel answers_of_own(std::vector<std::string> fitted, std::vector<TraitSpread> spreads) {
+  AnswerModel answers = answers_with<Parameters, rating_entries<Parameters, entries>>();
+  answers.fitted = std::move(fitted);
+  answers.spreads = std::move(spreads);
+  answers.spreads.push_back({"intercept_sd", &Traits::intercept});
+  answers.spreads.push_back({"effect_sd", &Traits::slope});
+  answers.rating = cumulative_rating;
+  return answers;
+}
+
+/// A participant who sees what its kind's `answers` say, and draws nothing to see it.
+class ModelledObserver : public RatingObserver {
+ public:
+  ModelledObserver(const ObserverKind& kind, const RatingParameters& parameters,
+                   const Birth& birth);
+
+ protected:
+  /// Of the kind.
+  [[nodiscard]] const RatingParameters& parameters() const { return *parameters_; }
+
+ private:
+  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override {
+    return answers_->seen(*parameters_, traits_, answers_->percept(*parameters_, shown, scene));
+  }
+
+  const AnswerModel* answers_;
+  std::shared_ptr<const RatingParameters> parameters_;
+};
+
+/// The make() of a kind of such participants.
+template <const ObserverKind& (*kind)(), typename Observer = ModelledObserver>
+std::unique_ptr<RatingObserver> make_modelled(const RatingParameters& parameters,
+                                              const Birth& birth) {
+  return std::make_unique<Observer>(kind(), parameters, birth);
 }
 
 /// The number of a file that was read.

@@ -279,7 +279,7 @@ std::vector<double> binomial_chances(double yes, std::size_t points) {
 
 AnswerModel psychometric_answers() {
   using P = PsychometricParameters;
-  AnswerModel answers;
+  AnswerModel answers = answers_with<P, psychometric_entries>();
   answers.fitted = {"threshold", "slope", "guess_rate", "lapse_rate"};
   answers.spreads = {{"threshold_sd", &Traits::threshold}};
   answers.percept = [](const RatingParameters& parameters, const AttemptRecord& shown,
@@ -295,12 +295,6 @@ AnswerModel psychometric_answers() {
   answers.rating = [](const RatingParameters& parameters, const Traits& /*traits*/, double seen,
                       std::size_t steps, std::size_t points) {
     return binomial_chances(yes_chance(parameters, seen), points)[steps];
-  };
-  answers.entries = [](RatingParameters& parameters) {
-    return psychometric_entries(static_cast<P&>(parameters));
-  };
-  answers.copy = [](const RatingParameters& parameters) -> std::shared_ptr<RatingParameters> {
-    return std::make_shared<P>(static_cast<const P&>(parameters));
   };
   answers.settle = [](RatingParameters& parameters) {
     parameters.lapse_rate = parameters.yes_miss_rate;
@@ -363,7 +357,6 @@ class PsychometricObserver final : public RatingObserver {
 }  // namespace
 
 const ObserverKind& psychometric_observer() {
-  static PsychometricParameters nobody;
   static const ObserverKind kind{
       .name = "psychometric",
       .words =
@@ -372,7 +365,7 @@ const ObserverKind& psychometric_observer() {
       .attention = {"what its file names", {}},
       .clicks = true,
       .has_eye = true,
-      .parameters = psychometric_entries(nobody),
+      .parameters = list_of<PsychometricParameters, psychometric_entries>(),
       .settings = settings(),
       .read = read_psychometric,
       .make = make_own<PsychometricParameters, PsychometricObserver>,

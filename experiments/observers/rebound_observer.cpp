@@ -82,23 +82,6 @@ AnswerModel rebound_answers() {
   return answers;
 }
 
-/// Judges how the first two bodies part.
-class ReboundObserver final : public RatingObserver {
- public:
-  ReboundObserver(const ReboundParameters& parameters, const Birth& birth)
-      : RatingObserver(parameters, birth, "rebound"), parameters_(parameters) {
-    traits_.threshold = normal();
-    draw_traits();
-  }
-
- private:
-  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override {
-    return seen_rebound(parameters_, traits_, shown_rebound(parameters_, shown, scene));
-  }
-
-  ReboundParameters parameters_;
-};
-
 }  // namespace
 
 const ObserverKind& rebound_observer() {
@@ -109,7 +92,7 @@ const ObserverKind& rebound_observer() {
       .attention = {"how two bodies part after they met", {"rebound"}},
       .parameters = list_own<ReboundParameters, rebound_entries>(),
       .read = read_own<ReboundParameters, rebound_entries>,
-      .make = make_own<ReboundParameters, ReboundObserver>,
+      .make = make_modelled<rebound_observer>,
       .answers = rebound_answers()};
   return kind;
 }

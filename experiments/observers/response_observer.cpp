@@ -18,7 +18,7 @@
 
 namespace impetus::inline observers {
 
-const ObserverKind& gap_observer();
+const ObserverKind& response_observer();
 
 namespace {
 
@@ -32,10 +32,12 @@ struct ResponseParameters : GapParameters {
 };
 
 /// Judges the gap, the spin and the haste of the first collision of two bodies.
-class ResponseObserver final : public GapObserver {
+class ResponseObserver final : public RatingObserver {
  public:
   ResponseObserver(const ResponseParameters& parameters, const Birth& birth)
-      : GapObserver(parameters, birth, "response"), parameters_(parameters) {}
+      : RatingObserver(parameters, birth, "response"), parameters_(parameters) {
+    draw_traits();
+  }
 
  private:
   [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
@@ -62,7 +64,8 @@ double ResponseObserver::wrongness(double seen_gap, double spin_deg_s, double cl
 }
 
 double ResponseObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
-  const double gap = GapObserver::seen(shown, scene);
+  const AnswerModel& gaps = gap_observer().answers;
+  const double gap = gaps.seen(parameters_, traits_, gaps.percept(parameters_, shown, scene));
   const CollisionRecord* met = first_meeting(shown);
   if (met == nullptr) {
     return gap;

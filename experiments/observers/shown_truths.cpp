@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/meeting.hpp"
 

@@ -1,5 +1,6 @@
-// The file of a chunk of a sweep, whatever is swept: one file that any machine computes by itself
-// and writes whole.
+// A sweep in chunks, whatever is swept: each chunk is one file that any machine computes by itself
+// and writes whole. A file says what it answers and by which build; whoever reads it refuses what
+// does not belong to the sweep.
 //
 //   OUT/chunks/chunk-0007.json      done: what the sweep keeps of chunk 7, and a checksum of that
 //                    .running.json  somebody is at it, or was (chunk_mark.hpp)
@@ -12,6 +13,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -46,19 +48,43 @@ struct SweepKind {
 void write_chunk_value(const std::filesystem::path& file, const SweepKind& kind,
                        nlohmann::json value);
 
-/// What the file holds, once it is known to be as it was written, and of this kind and format.
-/// Throws InputError.
-nlohmann::json read_chunk_value(const std::filesystem::path& file, const SweepKind& kind);
+/// A part of what a sweep asks: its place in a chunk's file, and its words.
+struct AskedPart {
+  std::string place;  ///< "/question/seed"
+  std::string words;  ///< "seed"
+};
 
-/// "FILE: expected EXPECTED, got INSTEAD; remove it and compute it again". Throws InputError.
-[[noreturn]] void refuse_chunk(const std::filesystem::path& file, const std::string& expected,
-                               const std::string& instead);
+/// A chunk that was read and belongs to its sweep.
+struct SweptChunk {
+  std::string build;     ///< that computed it
+  double took_s{0.0};    ///< to compute it
+  nlohmann::json value;  ///< all that its file holds
+};
 
-/// Throws InputError that names those of the chunks that are not there.
-void require_all_chunks(const std::filesystem::path& out, std::int64_t chunks);
+/// All chunks of one sweep: where they are, what they answer and what each must hold.
+struct Sweep {
+  SweepKind kind;
+  std::filesystem::path out;
+  std::int64_t chunks{1};
+  nlohmann::json asked;          ///< what is asked, as the file of each chunk says it
+  std::vector<AskedPart> parts;  ///< that a chunk must say as `asked` does, compared in this order
+  /// What a chunk that answers `asked` lacks: "all studies of its chunk"; "": nothing.
+  std::function<std::string(const nlohmann::json& value)> lacks;
 
-/// Throws InputError where `there`, the build of a chunk, is not this one.
-void require_same_build(const std::filesystem::path& file, const std::string& there,
-                        const std::string& build);
+  /// The numbers of the chunks that are not there, rising.
+  [[nodiscard]] std::vector<std::int64_t> missing() const;
+
+  /// A chunk that is there, as it was written, complete, and of this sweep. Throws InputError,
+  /// naming the file, when it is not; nothing is changed.
+  SweptChunk read(std::int64_t number) const;
+
+  /// Gives all chunks to `take`, in their order. Throws InputError, naming a file, when some are
+  /// missing, one is refused by read(), or two are of different builds.
+  void read_all(const std::function<void(const SweptChunk& chunk)>& take) const;
+
+  /// Throws InputError when the first chunk that is there is of another build than `build`, or is
+  /// refused by read().
+  void require_build(const std::string& build) const;
+};
 
 }  // namespace impetus::inline power

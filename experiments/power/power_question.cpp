@@ -27,14 +27,6 @@ std::string difference(const PowerQuestion& one, const PowerQuestion& other) {
   return one.seed == other.seed ? "" : "seed";
 }
 
-std::string difference(const PowerRequest& one, const PowerRequest& other) {
-  return one.sizes != other.sizes                 ? "choice of numbers of participants"
-         : one.studies != other.studies           ? "number of studies"
-         : one.null_studies != other.null_studies ? "number of studies without the effect"
-         : one.chunk.of != other.chunk.of         ? "number of chunks"
-                                                  : "";
-}
-
 std::vector<PowerCell> cells_of(const PowerRequest& request) {
   std::vector<PowerCell> cells;
   const std::int64_t all = request.studies + request.null_studies;

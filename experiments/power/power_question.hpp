@@ -51,9 +51,6 @@ struct PowerRequest {
   ChunkNumber chunk{};              ///< the whole unless told otherwise
 };
 
-/// In words, what two requests differ in first, whichever chunk of them; "" when in nothing.
-std::string difference(const PowerRequest& one, const PowerRequest& other);
-
 /// One number of a study, to be simulated with as many participants as its greatest size.
 struct PowerCell {
   bool effect{true};

@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/settings/input_error.hpp"
-
 namespace impetus::inline power {
+
+// As a chunk's file has them.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecoveryQuestion, protocol, protocol_hash, observer_name,
+                                   observer, screen, participants, studies, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecoveredParameter, name, planted, value, low, high,
+                                   held_because)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RecoveredStudy, number, seed, parameters, remark)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -14,94 +20,16 @@ using nlohmann::json;
 
 constexpr SweepKind kRecovery{"recovery", 1, "a parameter recovery"};
 
-json json_of(const RecoveryQuestion& question) {
-  return {{"protocol", question.protocol},
-          {"protocol_hash", question.protocol_hash},
-          {"observer_name", question.observer_name},
-          {"observer", question.observer},
-          {"screen", question.screen},
-          {"participants", question.participants},
-          {"studies", question.studies},
-          {"seed", question.seed}};
+std::vector<RecoveredStudy> studies_of(const json& chunk) {
+  return chunk.at("studies").get<std::vector<RecoveredStudy>>();
 }
 
-json json_of(const RecoveredStudy& study) {
-  json parameters = json::array();
-  for (const RecoveredParameter& one : study.parameters) {
-    parameters.push_back({{"name", one.name},
-                          {"planted", one.planted},
-                          {"value", one.value},
-                          {"low", one.low},
-                          {"high", one.high},
-                          {"held_because", one.held_because}});
-  }
-  return {{"number", study.number},
-          {"seed", study.seed},
-          {"parameters", parameters},
-          {"remark", study.remark}};
-}
-
-RecoveredStudy study_of(const json& value) {
-  RecoveredStudy study{value.at("number").get<std::int64_t>(),
-                       value.at("seed").get<std::uint64_t>(),
-                       {},
-                       value.at("remark").get<std::string>()};
-  for (const json& one : value.at("parameters")) {
-    study.parameters.push_back({one.at("name").get<std::string>(), one.at("planted").get<double>(),
-                                one.at("value").get<double>(), one.at("low").get<double>(),
-                                one.at("high").get<double>(),
-                                one.at("held_because").get<std::string>()});
-  }
-  return study;
-}
-
-/// Says which part of the question a chunk answers otherwise.
-void require_question(const fs::path& file, const json& there, const RecoveryQuestion& question) {
-  const json wanted = json_of(question);
-  const std::pair<const char*, const char*> words[] = {{"protocol", "protocol"},
-                                                       {"protocol_hash", "version of the protocol"},
-                                                       {"observer", "observer"},
-                                                       {"screen", "screen"},
-                                                       {"participants", "number of participants"},
-                                                       {"studies", "number of studies"},
-                                                       {"seed", "seed"}};
-  for (const auto& [key, word] : words) {
-    if (there.at(key) != wanted.at(key)) {
-      throw InputError(file.string() +
-                       ": expected a chunk of the same question, got one of another " + word +
-                       "; give another --out");
-    }
-  }
-}
-
-RecoveryChunk parsed(const fs::path& file, const json& value, const RecoveryQuestion& question,
-                     const ChunkNumber& wanted) {
-  require_question(file, value.at("question"), question);
-  RecoveryChunk chunk{
-      question,
-      {value.at("chunk").get<std::int64_t>(), value.at("chunks").get<std::int64_t>()},
-      value.at("build").get<std::string>(),
-      value.at("took_s").get<double>(),
-      {}};
-  if (chunk.chunk.of != wanted.of) {
-    throw InputError(file.string() +
-                     ": expected a chunk of the same question, got one of another number of "
-                     "chunks; give another --out");
-  }
-  if (chunk.chunk.number != wanted.number) {
-    refuse_chunk(file, "chunk " + std::to_string(wanted.number),
-                 "chunk " + std::to_string(chunk.chunk.number));
-  }
-  for (const json& study : value.at("studies")) {
-    chunk.studies.push_back(study_of(study));
-  }
-  return chunk;
-}
-
-bool is_complete(const RecoveryChunk& chunk) {
-  const std::vector<std::int64_t> numbers = numbers_of(chunk.chunk, chunk.question.studies);
+bool is_complete(const json& chunk, std::int64_t chunks, std::int64_t all_studies) {
+  const std::vector<std::int64_t> numbers =
+      numbers_of({chunk.at("chunk").get<std::int64_t>(), chunks}, all_studies);
+  const std::vector<RecoveredStudy> studies = studies_of(chunk);
   return std::equal(
-      numbers.begin(), numbers.end(), chunk.studies.begin(), chunk.studies.end(),
+      numbers.begin(), numbers.end(), studies.begin(), studies.end(),
       [](std::int64_t number, const RecoveredStudy& study) { return study.number == number; });
 }
 
@@ -117,59 +45,39 @@ double median(std::vector<double> values) {
 }  // namespace
 
 void write_chunk(const fs::path& out, const RecoveryChunk& chunk) {
-  json studies = json::array();
-  for (const RecoveredStudy& study : chunk.studies) {
-    studies.push_back(json_of(study));
-  }
   write_chunk_value(chunk_file(out, chunk.chunk.number), kRecovery,
-                    {{"question", json_of(chunk.question)},
+                    {{"question", chunk.question},
                      {"chunk", chunk.chunk.number},
                      {"chunks", chunk.chunk.of},
                      {"build", chunk.build},
                      {"took_s", chunk.took_s},
-                     {"studies", studies}});
+                     {"studies", chunk.studies}});
 }
 
-RecoveryChunk read_chunk(const fs::path& out, const RecoveryQuestion& question,
-                         const ChunkNumber& wanted) {
-  const fs::path file = chunk_file(out, wanted.number);
-  const json value = read_chunk_value(file, kRecovery);
-  try {
-    RecoveryChunk chunk = parsed(file, value, question, wanted);
-    if (!is_complete(chunk)) {
-      refuse_chunk(file, "all studies of its chunk", "others");
-    }
-    return chunk;
-  } catch (const json::exception&) {
-    refuse_chunk(file, "a whole chunk", "one that lacks a part");
-  }
+Sweep recovery_sweep(const fs::path& out, const RecoveryQuestion& question, std::int64_t chunks) {
+  return {kRecovery,
+          out,
+          chunks,
+          {{"question", question}, {"chunks", chunks}},
+          {{"/question/protocol", "protocol"},
+           {"/question/protocol_hash", "version of the protocol"},
+           {"/question/observer", "observer"},
+           {"/question/screen", "screen"},
+           {"/question/participants", "number of participants"},
+           {"/question/studies", "number of studies"},
+           {"/question/seed", "seed"},
+           {"/chunks", "number of chunks"}},
+          [chunks, all = question.studies](const json& chunk) {
+            return is_complete(chunk, chunks, all) ? "" : "all studies of its chunk";
+          }};
 }
 
-void require_build(const fs::path& out, const RecoveryQuestion& question, std::int64_t chunks,
-                   const std::string& build) {
-  for (std::int64_t number = 1; number <= chunks; ++number) {
-    const fs::path file = chunk_file(out, number);
-    if (fs::exists(file)) {
-      require_same_build(file, read_chunk(out, question, {number, chunks}).build, build);
-      return;  // whoever wrote the others has looked at this one
-    }
-  }
-}
-
-std::vector<RecoveredStudy> read_all_chunks(const fs::path& out, const RecoveryQuestion& question,
-                                            std::int64_t chunks) {
-  require_all_chunks(out, chunks);
+std::vector<RecoveredStudy> read_studies(const Sweep& recovery) {
   std::vector<RecoveredStudy> studies;
-  std::string build;
-  for (std::int64_t number = 1; number <= chunks; ++number) {
-    RecoveryChunk chunk = read_chunk(out, question, {number, chunks});
-    build = build.empty() ? chunk.build : build;
-    if (chunk.build != build) {
-      refuse_chunk(chunk_file(out, number), "a chunk of the build of the others, " + build,
-                   "one of " + chunk.build);
-    }
-    std::move(chunk.studies.begin(), chunk.studies.end(), std::back_inserter(studies));
-  }
+  recovery.read_all([&](const SweptChunk& chunk) {
+    std::vector<RecoveredStudy> more = studies_of(chunk.value);
+    std::move(more.begin(), more.end(), std::back_inserter(studies));
+  });
   return studies;
 }
 

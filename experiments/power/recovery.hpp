@@ -66,20 +66,12 @@ struct RecoveryChunk {
 /// Throws std::runtime_error, in one sentence, when it cannot be written; then there is no file.
 void write_chunk(const std::filesystem::path& out, const RecoveryChunk& chunk);
 
-/// A chunk that is there, whole, and answers this question. Throws InputError, naming the file,
-/// when it does not; nothing is changed.
-RecoveryChunk read_chunk(const std::filesystem::path& out, const RecoveryQuestion& question,
-                         const ChunkNumber& chunk);
+/// All chunks of a recovery. One is complete when it has all studies of its numbers.
+Sweep recovery_sweep(const std::filesystem::path& out, const RecoveryQuestion& question,
+                     std::int64_t chunks);
 
-/// Of all chunks that are there. Throws InputError as read_chunk() does, and when one is of another
-/// build than `build`.
-void require_build(const std::filesystem::path& out, const RecoveryQuestion& question,
-                   std::int64_t chunks, const std::string& build);
-
-/// The studies of all chunks, in their order. Throws InputError as both do, and when some are
-/// missing.
-std::vector<RecoveredStudy> read_all_chunks(const std::filesystem::path& out,
-                                            const RecoveryQuestion& question, std::int64_t chunks);
+/// The studies of all chunks, in their order. Throws InputError as Sweep::read_all() does.
+std::vector<RecoveredStudy> read_studies(const Sweep& recovery);
 
 /// What the studies together say of one parameter.
 struct ParameterRecovery {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
 
 #include <filesystem>
 #include <memory>
@@ -64,5 +65,15 @@ class StudyFile {
   bool writing_{false};
   std::unique_ptr<std::mutex> transactions_{std::make_unique<std::mutex>()};
 };
+
+/// What `action` returns; throws StoreError where SQLite throws.
+template <typename Action>
+auto while_reading(const StudyFile& study, const Action& action) {
+  try {
+    return action();
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
+  }
+}
 
 }  // namespace impetus::inline store

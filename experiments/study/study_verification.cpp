@@ -270,14 +270,12 @@ Verification verify_study(const std::filesystem::path& path, const FurtherCheck&
     }
   }
   StudyFile study = StudyFile::open_as_it_is(path);
-  try {
+  while_reading(study, [&] {
     const SQLite::Transaction one_moment(study.database());
     add_file_remarks(path, verification.remarks);
     StudyChecks(study, verification).make(further);
-    return verification;
-  } catch (const SQLite::Exception& error) {
-    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
-  }
+  });
+  return verification;
 }
 
 }  // namespace impetus::inline study

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/settings/optional_json.hpp"
+
 namespace impetus::inline study {
 namespace {
 
@@ -37,8 +39,6 @@ void add(MatchCounts& counts, const WhatIf& outcome) {
 }
 
 json number_or_null(double value) { return !std::isnan(value) ? json(value) : json(); }
-
-json step_or_null(const std::optional<std::int64_t>& step) { return step ? json(*step) : json(); }
 
 json json_of(const SeenCollision& collision) {
   return json::object({{"step", collision.step},
@@ -154,11 +154,6 @@ nlohmann::json json_of(const CourseSums& sums) {
   return result;
 }
 
-nlohmann::json json_of(const MatchCounts& matches) {
-  return json::object(
-      {{"both", matches.both}, {"only_then", matches.only_then}, {"only_now", matches.only_now}});
-}
-
 nlohmann::json json_of(const ComparedStimulus& each) {
   return json::object({{"participant", each.attempt->participant},
                        {"trial", each.attempt->trial_id},
@@ -169,11 +164,11 @@ nlohmann::json json_of(const ComparedStimulus& each) {
                        {"gaze_recorded", each.has_gaze},
                        {"step_hz", each.step_hz},
                        {"steps", each.outcome.steps},
-                       {"parts_at_step", step_or_null(each.outcome.parts_at)},
-                       {"seen_apart_at_step", step_or_null(each.outcome.seen_apart_at)},
+                       {"parts_at_step", each.outcome.parts_at},
+                       {"seen_apart_at_step", each.outcome.seen_apart_at},
                        {"then", json_of(sums_of(each.outcome.then))},
                        {"now", json_of(sums_of(each.outcome.now))},
-                       {"matched", json_of(counts_of(each.outcome))},
+                       {"matched", counts_of(each.outcome)},
                        {"collisions", collisions_of(each)}});
 }
 

@@ -55,6 +55,7 @@ struct MatchCounts {
   std::int64_t only_then{0};
   std::int64_t only_now{0};
 };
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MatchCounts, both, only_then, only_now)
 
 MatchCounts counts_of(const WhatIf& outcome);
 
@@ -82,7 +83,6 @@ ComparedStimulus compared(ReplayLibrary& library, const StoredAttempt& attempt,
 std::vector<std::pair<std::string, nlohmann::json>> named_sums(const CourseSums& sums);
 
 nlohmann::json json_of(const CourseSums& sums);
-nlohmann::json json_of(const MatchCounts& matches);
 
 /// With its sums and every collision.
 nlohmann::json json_of(const ComparedStimulus& each);

@@ -5,19 +5,26 @@
 #include <backends/imgui_impl_sdl.h>
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "experiments/drawing/palette.hpp"
 #include "experiments/record/shown_letters.hpp"
-#include "experiments/window/wide_fonts.hpp"
+#include "experiments/window/window.hpp"
 
 namespace impetus::inline window {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kPlainFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr const char* kBoldFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
@@ -54,6 +61,82 @@ const ImWchar* glyphs(bool right_to_left) {
   return (right_to_left ? kBothWays : kUsual).data();
 }
 
+// Fonts for Chinese, Japanese and Korean, beside the one that writes all else: looked for among
+// what Debian's packages install, for the machine and for the user.
+//
+//   letters of a study ─> first_letter_without_font() ─none─> Gui ─> only these letters are loaded
+
+/// A font by the place that its package gives it.
+struct KnownFont {
+  const char* plain;
+  const char* bold;
+  int face;
+  float scale;
+};
+
+/// From fonts-noto-cjk (its face of simplified Chinese), fonts-wqy-microhei, fonts-droid-fallback.
+constexpr std::array<KnownFont, 3> kKnownFonts{
+    {{"opentype/noto/NotoSansCJK-Regular.ttc", "opentype/noto/NotoSansCJK-Bold.ttc", 2, 1.24F},
+     {"truetype/wqy/wqy-microhei.ttc", "truetype/wqy/wqy-microhei.ttc", 0, 1.0F},
+     {"truetype/droid/DroidSansFallbackFull.ttf", "truetype/droid/DroidSansFallbackFull.ttf", 0,
+      1.12F}}};
+
+/// Where the letters of one font are.
+struct WideFont {
+  std::string plain;  ///< a file
+  std::string bold;   ///< a file; the same where there is no bold one
+  int face{0};        ///< in a file of several
+  float scale{1.0F};  ///< of a size, so that its letters are as large as those beside them
+};
+
+fs::path users_fonts() {
+  const char* home = std::getenv("HOME");
+  return home == nullptr ? fs::path() : fs::path(home) / ".local/share/fonts";
+}
+
+/// The first of the known fonts that is installed.
+std::optional<WideFont> find_wide_font() {
+  for (const fs::path& folder : {fs::path("/usr/share/fonts"), users_fonts()}) {
+    for (const KnownFont& font : kKnownFonts) {
+      std::error_code ignored;
+      if (fs::is_regular_file(folder / font.plain, ignored)) {
+        const bool has_bold = fs::is_regular_file(folder / font.bold, ignored);
+        return WideFont{folder / font.plain, folder / (has_bold ? font.bold : font.plain),
+                        font.face, font.scale};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool has_any_within(const std::set<std::uint16_t>& letters, int first, int last) {
+  const auto from = letters.lower_bound(static_cast<std::uint16_t>(first));
+  return from != letters.end() && *from <= last;
+}
+
+/// What somebody who reads these letters may type.
+const ImWchar* common_letters(const std::set<std::uint16_t>& letters, ImFontAtlas& atlas) {
+  return has_any_within(letters, 0xAC00, 0xD7A3)   ? atlas.GetGlyphRangesKorean()
+         : has_any_within(letters, 0x3041, 0x30FF) ? atlas.GetGlyphRangesJapanese()
+                                                   : atlas.GetGlyphRangesChineseSimplifiedCommon();
+}
+
+/// Ranges of code points, as ImGui reads them, of these letters; where participants type, also
+/// those that are common in the same script.
+ImVector<ImWchar> wide_ranges(const std::set<std::uint16_t>& letters, bool is_typed) {
+  ImFontAtlas atlas;
+  ImFontGlyphRangesBuilder builder;
+  for (const std::uint16_t letter : letters) {
+    builder.AddChar(letter);
+  }
+  if (is_typed) {
+    builder.AddRanges(common_letters(letters, atlas));
+  }
+  ImVector<ImWchar> ranges;
+  builder.BuildRanges(&ranges);
+  return ranges;
+}
+
 /// Letters of another font beside those of the one that was loaded last.
 struct MoreLetters {
   const std::string& file;
@@ -65,7 +148,7 @@ struct MoreLetters {
 ImFont* load_font(const char* path, float size_px, bool right_to_left) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   const float whole_px = std::round(size_px);
-  if (std::filesystem::exists(path)) {
+  if (fs::exists(path)) {
     return atlas.AddFontFromFileTTF(path, whole_px, nullptr, glyphs(right_to_left));
   }
   ImFontConfig scaled;
@@ -131,6 +214,27 @@ bool is_editing_key(const SDL_Event& event) {
 }
 
 }  // namespace
+
+std::optional<std::uint16_t> first_letter_without_font(const std::set<std::uint16_t>& shown) {
+  std::set<std::uint16_t> letters;  // all others are in the font of every screen
+  std::copy_if(shown.begin(), shown.end(), std::inserter(letters, letters.end()), is_wide_letter);
+  const auto file = find_wide_font();
+  if (letters.empty() || !file) {
+    return letters.empty() ? std::nullopt : std::optional(*letters.begin());
+  }
+  constexpr float kSmall_px = 8.0F;
+  ImFontAtlas atlas;  // needs no window
+  ImFontConfig config;
+  config.FontNo = file->face;
+  const ImVector<ImWchar> ranges = wide_ranges(letters, /*is_typed=*/false);
+  const ImFont* font =
+      atlas.AddFontFromFileTTF(file->plain.c_str(), kSmall_px, &config, ranges.Data);
+  atlas.Build();
+  const auto missing = std::find_if(letters.begin(), letters.end(), [&](std::uint16_t letter) {
+    return font->FindGlyphNoFallback(letter) == nullptr;
+  });
+  return missing == letters.end() ? std::nullopt : std::optional(*missing);
+}
 
 Gui::Gui(GlWindow& window, const std::set<std::uint16_t>& letters) : window_(window) {
   IMGUI_CHECKVERSION();

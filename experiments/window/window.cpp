@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/window/canvas.hpp"
 #include "experiments/window/display.hpp"
-#include "experiments/window/pages/asked_page.hpp"
 #include "experiments/window/pages/page_layout.hpp"
+#include "experiments/window/pages/page_view.hpp"
 #include "experiments/window/shown_patch.hpp"
 
 namespace impetus::inline window {
@@ -57,6 +58,160 @@ std::shared_ptr<const Appearance> all_looks() {
   looks->shadow_reach_m = 0.1;
   return looks;
 }
+
+/// One page, from the flip that first shows it to its answer.
+///
+///   first flip ─> forget what was pressed before ─> events, frame, flip ─> ... ─> answer
+///
+/// A press counts only when it was taken after the page was on the glass, so an impatient key
+/// cannot answer a question that has not been seen.
+class PageTurn {
+ public:
+  PageTurn(Canvas& canvas, const Page& page)
+      : canvas_(canvas), page_(page), view_(page, canvas.gui) {}
+
+  /// Shows it in the largest reading size at which it fits, until it is answered, paused, out of
+  /// time, or the window is closed; what does not fit even at the smallest size is scrolled.
+  Answer ask() {
+    show_first();
+    if (page_.can_pause && canvas_.events.take_pause_request()) {
+      answer_.interruption = Interruption::kPauseRequested;
+      return answer_;
+    }
+    while (!canvas_.events.closed()) {
+      if (take_events() || take_click(draw_and_flip()) || time_is_up()) {
+        static_cast<void>(canvas_.events.take_pause_request());
+        answer_.fields = view_.answers();
+        return answer_;
+      }
+    }
+    answer_.interruption = Interruption::kDisplayClosed;
+    return answer_;
+  }
+
+  /// Shows it for this long; `choice` is drawn as chosen in the last third, if there is one.
+  void show_for(double seconds, std::optional<std::size_t> choice) {
+    constexpr double kSeenUnanswered = 0.66;
+    show_first();
+    const double shown_ms = seconds * 1e3;
+    while (elapsed_ms() < shown_ms && !canvas_.events.closed() &&
+           !canvas_.events.pause_requested()) {
+      if (choice && elapsed_ms() >= kSeenUnanswered * shown_ms) {
+        view_.mark_chosen(*choice);
+      }
+      static_cast<void>(draw_and_flip());
+      canvas_.events.discard();
+    }
+  }
+
+ private:
+  void show_first() {
+    canvas_.window.show_cursor(true);
+    canvas_.deadlines.restart();
+    static_cast<void>(draw_and_flip());
+    answer_.shown_ns = last_flip_ns_;
+    canvas_.events.discard();
+  }
+
+  [[nodiscard]] double elapsed_ms() const {
+    return static_cast<double>(last_flip_ns_ - answer_.shown_ns) / 1e6;
+  }
+
+  /// What was pressed while the last frame was waited for still counts.
+  bool time_is_up() {
+    if (page_.timeout_ms <= 0.0 || elapsed_ms() < page_.timeout_ms) {
+      return false;
+    }
+    if (!take_events()) {
+      answer_.timed_out = true;
+      answer_.device = "none";
+      answer_.arrived_ns = last_flip_ns_;
+    }
+    return true;
+  }
+
+  /// Returns true when an event has answered or interrupted the page.
+  bool take_events() {
+    for (const StampedEvent& event : canvas_.events.take()) {
+      if (event.event.type == SDL_KEYDOWN && event.event.key.repeat == 0 && take_key(event)) {
+        return true;
+      }
+      if (event.event.type == SDL_MOUSEWHEEL) {
+        view_.scroll(-0.15F * static_cast<float>(event.event.wheel.y));
+      }
+      note_mouse(event);
+      canvas_.gui.feed(event.event);
+    }
+    return false;
+  }
+
+  bool take_key(const StampedEvent& event) {
+    const SDL_Keysym& key = event.event.key.keysym;
+    if (const auto choice = view_.press(key)) {
+      return answer_with(*choice, "key", event);
+    }
+    if (key.sym == SDLK_ESCAPE && page_.can_pause) {
+      answer_.interruption = Interruption::kPauseRequested;
+      note_arrival("key", event);
+      return true;
+    }
+    return false;
+  }
+
+  void note_mouse(const StampedEvent& event) {
+    if (event.event.button.button != SDL_BUTTON_LEFT) {
+      return;
+    }
+    if (event.event.type == SDL_MOUSEBUTTONDOWN) {
+      pressed_here_ = true;
+    } else if (event.event.type == SDL_MOUSEBUTTONUP) {
+      released_ = event;
+    }
+  }
+
+  bool take_click(std::optional<std::size_t> clicked) {
+    return clicked && pressed_here_ && answer_with(*clicked, "mouse", released_);
+  }
+
+  bool answer_with(std::size_t choice, const char* device, const StampedEvent& event) {
+    if (!view_.may_leave_by(choice)) {
+      return false;
+    }
+    answer_.choice = choice;
+    note_arrival(device, event);
+    return true;
+  }
+
+  void note_arrival(const char* device, const StampedEvent& event) {
+    answer_.device = device;
+    answer_.arrived_ns = event.arrived_ns;
+    answer_.arrival_uncertainty_ns = event.uncertainty_ns;
+  }
+
+  std::optional<std::size_t> draw_and_flip() {
+    canvas_.fill_page(page_.progress.light_ground);
+    canvas_.gui.begin();
+    if (page_.timeout_ms > 0.0 && answer_.shown_ns > 0) {
+      view_.tell_time_left(1.0 - elapsed_ms() / page_.timeout_ms);
+    }
+    const auto clicked = view_.draw();
+    canvas_.gui.end();
+    canvas_.paint_patch(kDarkPatch);
+    const Flip flip = canvas_.deadlines.flip();
+    view_.note_shown();
+    last_flip_ns_ = flip.flipped_ns;
+    answer_.late_frames += flip.late() ? 1 : 0;
+    return clicked;
+  }
+
+  Canvas& canvas_;
+  const Page& page_;
+  PageView view_;
+  Answer answer_;
+  std::int64_t last_flip_ns_{0};
+  bool pressed_here_{false};  ///< the mouse button went down on this page
+  StampedEvent released_;     ///< the last release of the mouse button
+};
 
 }  // namespace
 
@@ -160,13 +315,13 @@ Gaze& Window::mouse_gaze() { return canvas_->mouse; }
 Answer Window::ask(const Page& page) {
   Answer answer;
   answer.interruption = Interruption::kDisplayClosed;
-  while_display_lasts([&] { answer = ask_page(*canvas_, page); });
+  while_display_lasts([&] { answer = PageTurn(*canvas_, page).ask(); });
   return answer;
 }
 
 void Window::show_page_for(const Page& page, double seconds,
                            std::optional<std::size_t> highlighted_choice) {
-  while_display_lasts([&] { impetus::show_page_for(*canvas_, page, seconds, highlighted_choice); });
+  while_display_lasts([&] { PageTurn(*canvas_, page).show_for(seconds, highlighted_choice); });
 }
 
 Interruption Window::interruption() {

@@ -1,10 +1,14 @@
 // `impetus film`: a recorded trial as a film of what was shown; or a scene, or all stimuli of a
 // protocol, for who shows them by another program.
 // SPDX-License-Identifier: MIT
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
@@ -13,15 +17,21 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/films/film_making.hpp"
-#include "experiments/commands/films/protocol_films.hpp"
 #include "experiments/commands/films/recorded_film.hpp"
 #include "experiments/commands/films/simulated_film.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/window_size.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/files/protocol_files.hpp"
 #include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/checked_scene.hpp"
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/questions/level_value.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/number_text.hpp"
 #endif
 
 namespace impetus::inline commands {
@@ -101,7 +111,7 @@ int film_trial(const FilmOptions& options) {
           "missing");
   const FilmTarget target = film_target(options.out);
   StudyFile study = StudyFile::open_for_reading(options.source);
-  try {
+  return while_reading(study, [&] {
     const StoredAttempt attempt = filmed_attempt(study, *options.trial, options.attempt);
     const FilmLook look = look_of(options, attempt.screen);
     require_filmable(target, look.size);
@@ -110,9 +120,7 @@ int film_trial(const FilmOptions& options) {
       std::printf("left out: %s, which went with it\n", what.get<std::string>().c_str());
     }
     return film_one(recorded.film, target, look, recorded.head);
-  } catch (const SQLite::Exception& error) {
-    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
-  }
+  });
 }
 
 int film_scene(const FilmOptions& options) {
@@ -131,6 +139,163 @@ int film_scene(const FilmOptions& options) {
     tell_of_gaze(film, head);
     return film_one(film, target, look, std::move(head));
   });
+}
+
+// A whole protocol as films, for a lab that shows them by another program: one of each stimulus,
+// and a table of what is in each.
+//
+//   folder/films.csv
+//   folder/main-001-delay_ms-0-speed_deg_s-5.mp4, .json
+//   folder/main-002-...
+
+/// What a protocol's films are to be like.
+struct ProtocolFilms {
+  std::filesystem::path folder;
+  const FilmFormat* format{nullptr};  ///< null: each is a folder of PNG files
+  FilmLook look;
+  ScreenGeometry screen;
+  double refresh_hz{60.0};
+  bool allow_rounding{false};
+};
+
+/// "main-012-delay_ms-100-speed_deg_s-5": no letter of it needs quotes anywhere.
+std::string film_name(const PlannedFilm& planned) {
+  constexpr std::size_t kLongest = 120;
+  std::string name = printed("%s-%03zu", planned.part.c_str(), planned.film + 1);
+  for (const FactorLevel& level : planned.trial.condition) {
+    name += "-" + level.factor + "-" + to_text(level.value);
+  }
+  for (char& letter : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '.' ||
+                       letter == '-' || letter == '_';
+    letter = plain ? letter : '_';
+  }
+  return name.substr(0, kLongest);
+}
+
+template <typename T>
+std::string cell(const std::optional<T>& value) {
+  return value ? csv_number(static_cast<double>(*value)) : "";
+}
+
+/// A film that is written.
+struct MadeFilm {
+  std::string file;
+  FilmSums sums;
+};
+
+/// The table of the films.
+class FilmTable {
+ public:
+  explicit FilmTable(const Design& design) : design_(design) {
+    std::vector<std::string> head{"file", "part", "condition", "repetition"};
+    for (const Factor& factor : design.factors) {
+      head.push_back(factor.name);
+    }
+    for (const char* name :
+         {"frames", "seconds", "contact_frame", "contact_s", "collisions", "level", "gap_arcmin"}) {
+      head.emplace_back(name);
+    }
+    text_ = csv_line(head);
+  }
+
+  void add(const MadeFilm& made, const PlannedFilm& planned) {
+    const PlannedTrial& trial = planned.trial;
+    const FilmSums& sums = made.sums;
+    std::vector<std::string> cells{made.file, planned.part, to_json(trial.condition).dump(),
+                                   std::to_string(trial.repetition)};
+    for (const Factor& factor : design_.factors) {
+      cells.push_back(level_of(trial.condition, factor.name));
+    }
+    cells.insert(cells.end(),
+                 {std::to_string(sums.frames), csv_number(sums.seconds), cell(sums.contact_frame),
+                  cell(sums.contact_s), std::to_string(sums.collisions), cell(sums.level),
+                  cell(sums.gap_arcmin)});
+    text_ += csv_line(cells);
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  static std::string level_of(const Condition& condition, const std::string& factor) {
+    for (const FactorLevel& level : condition) {
+      if (level.factor == factor) {
+        return to_text(level.value);
+      }
+    }
+    return "";
+  }
+
+  const Design& design_;
+  std::string text_;
+};
+
+nlohmann::ordered_json planned_head(const Protocol& protocol, const PlannedFilm& planned) {
+  return {{"protocol", protocol.document.name},
+          {"part", planned.part},
+          {"condition", to_json(planned.trial.condition)},
+          {"repetition", planned.trial.repetition},
+          {"seed", planned.trial.seed}};
+}
+
+/// Makes one after the other.
+class FilmSeries {
+ public:
+  FilmSeries(const Protocol& protocol, const ProtocolFilms& asked, const ProtocolScenes& scenes,
+             std::filesystem::path folder)
+      : protocol_(protocol), asked_(asked), scenes_(scenes), folder_(std::move(folder)) {}
+
+  /// The film, unless another condition that looks alike has it already; and its row of the table.
+  void make(const PlannedFilm& planned, const std::function<void(double)>& tell) {
+    if (planned.film == made_.size()) {
+      const std::string file =
+          film_name(planned) + (asked_.format == nullptr ? "" : asked_.format->ending);
+      made_.push_back({file, film(planned, file, tell)});
+    }
+    table_.add(made_[planned.film], planned);
+  }
+
+  [[nodiscard]] std::size_t count() const { return made_.size(); }
+  [[nodiscard]] const std::string& table() const { return table_.text(); }
+
+ private:
+  FilmSums film(const PlannedFilm& planned, const std::string& file,
+                const std::function<void(double)>& tell) {
+    const Film shown =
+        simulated_film(scenes_.stage(planned.trial, asked_.screen), asked_.refresh_hz, clock_);
+    nlohmann::ordered_json head = planned_head(protocol_, planned);
+    tell_of_gaze(shown, head);
+    return make_film(shown, {folder_ / file, asked_.format}, asked_.look, std::move(head), painter_,
+                     tell);
+  }
+
+  const Protocol& protocol_;
+  const ProtocolFilms& asked_;
+  const ProtocolScenes& scenes_;
+  std::filesystem::path folder_;
+  const SteadyClock clock_{};
+  FilmPainter painter_{asked_.look.size, asked_.look.overlays, clock_};
+  FilmTable table_{protocol_.design};
+  std::vector<MadeFilm> made_;
+};
+
+/// Makes them; returns how many. Throws InputError, or std::runtime_error when they cannot be
+/// written, each in one sentence; then nothing is left of them.
+std::size_t make_protocol_films(const Protocol& protocol, const ProtocolFilms& asked) {
+  check_frames(protocol, asked.refresh_hz, asked.allow_rounding);
+  const ProtocolScenes scenes(protocol, asked.allow_rounding ? asked.refresh_hz : kUnroundedHold);
+  const std::vector<PlannedFilm> planned = planned_films(protocol, scenes, asked.screen);
+  WholeFolder folder(asked.folder, FolderCheck(refuse_full_folder));
+  FilmSeries series(protocol, asked, scenes, folder.path());
+  ProgressLine line("filming");
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    series.make(planned[i], [&](double share) {
+      line.tell((static_cast<double>(i) + share) / static_cast<double>(planned.size()));
+    });
+  }
+  write_output_file(folder.path() / "films.csv", series.table());
+  folder.put_in_place();
+  return series.count();
 }
 
 int film_protocol(const FilmOptions& options, const std::string& file) {
@@ -189,9 +354,9 @@ int film(const FilmOptions& /*options*/) {
 }  // namespace
 
 void add_film(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<FilmOptions>();
-  CLI::App* command = app.add_subcommand(
-      "film", "Make a film of a recorded trial, of a scene, or of each stimulus of a protocol");
+  const auto [command, options] = add_command<FilmOptions>(
+      app, chosen, film, "film",
+      "Make a film of a recorded trial, of a scene, or of each stimulus of a protocol");
   command->add_option("source", options->source,
                       "Study file with --trial; or protocol file, whose stimuli are filmed one by "
                       "one into the folder --out");
@@ -227,7 +392,6 @@ void add_film(CLI::App& app, Command& chosen) {
       ->check(number_from(20.0, 1000.0));
   command->add_flag("--allow-rounding", options->allow_rounding,
                     "Of a protocol: round delays to whole frames, as `run` would with this option");
-  command->callback([options, &chosen] { chosen = [options] { return film(*options); }; });
 }
 
 }  // namespace impetus::inline commands

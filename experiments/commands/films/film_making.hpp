@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "experiments/commands/films/film_file.hpp"
-#include "experiments/commands/films/film_record.hpp"
 #include "experiments/viewers/replays/film_painter.hpp"
 #include "experiments/viewing/film.hpp"
 
@@ -16,6 +17,17 @@ namespace impetus::inline commands {
 struct FilmLook {
   PictureSize size;
   FilmOverlays overlays;
+};
+
+/// What somebody who has many films wants to know of each.
+struct FilmSums {
+  std::size_t frames{0};
+  double seconds{0.0};
+  std::optional<std::size_t> contact_frame{};  ///< the first that shows bodies touch
+  std::optional<double> contact_s{};           ///< of the film
+  std::size_t collisions{0};                   ///< contacts that begin
+  std::optional<int> level{};                  ///< of the first
+  std::optional<double> gap_arcmin{};          ///< the same
 };
 
 /// ["gaze", "contacts"]: the overlays by their names, as --show has them.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/fitting/answered_study.hpp"
@@ -242,9 +241,8 @@ int fit(const FitOptions& options) {
 }  // namespace
 
 void add_fit(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<FitOptions>();
-  CLI::App* command =
-      app.add_subcommand("fit", "The parameters of a simulated participant from people's answers");
+  const auto [command, options] = add_command<FitOptions>(
+      app, chosen, fit, "fit", "The parameters of a simulated participant from people's answers");
   command->add_option("study", options->study, "Study file")->required();
   command
       ->add_option("--observer", options->observer,
@@ -277,7 +275,6 @@ void add_fit(CLI::App& app, Command& chosen) {
   command->add_option("--folds", options->folds, "Of --compare: parts that are foretold in turn")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return fit(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/sentences.hpp"
-#include "experiments/power/chunk_mark.hpp"
+#include "experiments/models/atomic_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
@@ -36,25 +39,25 @@ std::string state_words(const ChunkReport& report) {
 }
 
 /// What is known of all chunks: their reports, and what those that are done took.
-struct Sweep {
+struct KnownChunks {
   std::vector<ChunkReport> reports;
   double done_s{0.0};
   std::int64_t done{0};
 };
 
 /// A chunk that is there but cannot be used has failed.
-void look_at_chunk(const ListedSweep& listed, std::int64_t number, Sweep& sweep) {
-  ChunkReport report = report_of_chunk(listed.out, number);
+void look_at_chunk(const Sweep& sweep, std::int64_t number, KnownChunks& known) {
+  ChunkReport report = report_of_chunk(sweep.out, number);
   if (report.state == ChunkState::kDone) {
     try {
-      sweep.done_s += listed.took_s(number);
-      ++sweep.done;
+      known.done_s += sweep.read(number).took_s;
+      ++known.done;
     } catch (const InputError& error) {
       report.state = ChunkState::kFailed;
       report.sentence = error.what();
     }
   }
-  sweep.reports.push_back(report);
+  known.reports.push_back(report);
 }
 
 std::string sums_words(const SweepSums& sums, std::int64_t chunks) {
@@ -94,17 +97,41 @@ void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64
                                        ", got " + std::to_string(options.chunk));
 }
 
-int list_chunks(const ListedSweep& listed) {
-  Sweep sweep;
-  for (std::int64_t number = 1; number <= listed.chunks; ++number) {
-    look_at_chunk(listed, number, sweep);
-    std::printf("%s --chunk %lld  # %s\n", listed.repeated.c_str(), static_cast<long long>(number),
-                state_words(sweep.reports.back()).c_str());
+int list_chunks(const Sweep& sweep, const std::string& repeated) {
+  KnownChunks known;
+  for (std::int64_t number = 1; number <= sweep.chunks; ++number) {
+    look_at_chunk(sweep, number, known);
+    std::printf("%s --chunk %lld  # %s\n", repeated.c_str(), static_cast<long long>(number),
+                state_words(known.reports.back()).c_str());
   }
-  const double chunk_s = sweep.done == 0 ? 0.0 : sweep.done_s / static_cast<double>(sweep.done);
-  const SweepSums sums = sums_of(sweep.reports, chunk_s);
-  std::printf("# %s\n# once all are done, their page: %s\n",
-              sums_words(sums, listed.chunks).c_str(), listed.repeated.c_str());
+  const double chunk_s = known.done == 0 ? 0.0 : known.done_s / static_cast<double>(known.done);
+  const SweepSums sums = sums_of(known.reports, chunk_s);
+  std::printf("# %s\n# once all are done, their page: %s\n", sums_words(sums, sweep.chunks).c_str(),
+              repeated.c_str());
+  return kDone;
+}
+
+void attempt_chunk(const Sweep& sweep, std::int64_t number, const ChunkWork& work) {
+  ChunkMark mark(sweep.out, number);
+  try {
+    require_writable(chunk_file(sweep.out, number));
+    work(mark);
+  } catch (const std::exception& error) {
+    mark.fail(error.what());
+    throw;
+  }
+}
+
+int compute_chunk(const Sweep& sweep, std::int64_t number, const ChunkWork& work) {
+  const std::filesystem::path file = chunk_file(sweep.out, number);
+  make_out_folder(chunk_folder(sweep.out));
+  const bool is_there = std::filesystem::exists(file);
+  if (is_there) {
+    sweep.read(number);
+  } else {
+    attempt_chunk(sweep, number, work);
+  }
+  std::printf("%s: %s\n", file.c_str(), is_there ? "is there already" : "done");
   return kDone;
 }
 

@@ -1,13 +1,15 @@
-// A sweep in chunks as commands: the options by which one is asked for, and the list of all, with
-// how far each is.
+// A sweep in chunks as commands: the options by which one is asked for, the list of all, with how
+// far each is, and the command that computes one.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
+
+#include "experiments/power/chunk_file.hpp"
+#include "experiments/power/chunk_mark.hpp"
 
 namespace impetus::inline commands {
 
@@ -27,17 +29,19 @@ void add_chunk_options(CLI::App& command, ChunkOptions& options, const std::stri
 void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies,
                     const std::string& one = "study");
 
-/// A sweep in chunks, as `--list` tells of it.
-struct ListedSweep {
-  std::filesystem::path out;
-  std::int64_t chunks{1};
-  std::string repeated;  ///< the command as it was given, but for --chunk and --list
-  /// What a chunk that is there took; throws InputError where it cannot be used.
-  std::function<double(std::int64_t number)> took_s;
-};
+/// Prints a command for each chunk, `repeated` with its number, its state as a shell's comment, and
+/// the sums. Writes nothing.
+int list_chunks(const Sweep& sweep, const std::string& repeated);
 
-/// Prints a command for each chunk, with its state as a shell's comment, and the sums. Writes
-/// nothing.
-int list_chunks(const ListedSweep& sweep);
+/// Computes a chunk and writes its file.
+using ChunkWork = std::function<void(ChunkMark& mark)>;
+
+/// Does the work, with a mark at the chunk. Throws what keeps it from it, in one sentence that
+/// --list repeats; then there is no file.
+void attempt_chunk(const Sweep& sweep, std::int64_t number, const ChunkWork& work);
+
+/// The same for a chunk that was asked for by itself, unless it is there; says which. Throws
+/// InputError, too, when the one that is there does not belong to the sweep.
+int compute_chunk(const Sweep& sweep, std::int64_t number, const ChunkWork& work);
 
 }  // namespace impetus::inline commands

@@ -11,8 +11,9 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -20,20 +21,17 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/given_words.hpp"
 #include "experiments/commands/power/power_options.hpp"
-#include "experiments/commands/power/power_simulation.hpp"
 #include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/scratch_folder.hpp"
 #include "experiments/exports/r_scripts.hpp"
-#include "experiments/models/atomic_file.hpp"
-#include "experiments/power/chunk_mark.hpp"
 #include "experiments/power/power_chunk.hpp"
 #include "experiments/power/power_ledger.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
@@ -42,6 +40,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLedgerName = "power.sqlite";
+constexpr const char* kScratchBegin = "simulating-";  ///< of folders of what is thrown away
 
 /// Throws InputError unless the folder is new, empty, or one of an earlier power analysis, and is
 /// asked for in chunks where it holds chunks that nobody has read together.
@@ -80,6 +79,69 @@ int write_page(const PowerOptions& options) {
   return kDone;
 }
 
+/// What tests studies of a model, written into a folder. None when R lacks a package, which R has
+/// said. Throws InputError when there is no R.
+std::optional<PowerTools> power_tools(const fs::path& folder, const std::string& model) {
+  const fs::path script = write_r_scripts(folder, {"power-fits.R"}) / "power-fits.R";
+  const fs::path versions = folder / "versions.txt";
+  if (run_needed_r_script({script.string(), "--check", model, versions.string()}) != 0) {
+    return std::nullopt;
+  }
+  std::string words;
+  std::getline(std::ifstream(versions), words);
+  return PowerTools{script, std::string(build_name()) + " with " + words};
+}
+
+/// What is simulated, and where.
+struct PowerSimulation {
+  const PowerOptions& options;
+  const PowerTask& task;
+  PowerTools tools;
+  fs::path scratch;                  ///< a folder for what is thrown away
+  fs::path ledger;                   ///< may not be there yet
+  std::function<void(double)> told;  ///< the share that is done; may be empty
+};
+
+void say_what_is_not_simulated(const std::string& response) {
+  std::fprintf(stderr,
+               "note: no type-I error: how this observer's %s would be without the effect is "
+               "not known; --null FILE gives one\n",
+               response == "rating"   ? "ratings"
+               : response == "answer" ? "answers"
+                                      : "clicks");
+}
+
+PowerWork work_of(const PowerSimulation& simulation) {
+  PowerWork work;
+  const PowerTask& task = simulation.task;
+  work.run = task.run;
+  work.planted = task.planted;
+  solve_what_is_asked(work.planted);
+  build_shapes(work.planted);
+  work.without = work.planted;
+  work.without.lab.observer = task.without ? task.without : work.planted.lab.observer;
+  work.request = task.request;
+  work.seed = task.question.seed;
+  work.jobs = jobs_of(simulation.options.jobs);
+  work.tools = simulation.tools;
+  work.scratch = simulation.scratch;
+  work.ledger = simulation.ledger;
+  work.told = simulation.told;
+  return work;
+}
+
+/// Simulates and tests all that the ledger lacks of the request's chunk. Throws InputError when the
+/// ledger is another's, and the first error of a study.
+void simulate_studies(const PowerSimulation& simulation) {
+  const PowerTask& task = simulation.task;
+  PowerLedger ledger(simulation.ledger, task.question);
+  if (!task.without && !simulation.options.no_null) {
+    say_what_is_not_simulated(task.question.response);
+  }
+  PowerWork work = work_of(simulation);
+  do_power_studies(work, ledger);
+}
+
 /// False: a package of R is missing, and R has said which.
 bool simulate_all(const PowerOptions& options, const PowerTask& task) {
   fs::create_directories(options.out);
@@ -93,7 +155,8 @@ bool simulate_all(const PowerOptions& options, const PowerTask& task) {
 }
 
 /// The chunk's studies from a ledger of its own, which no other machine sees.
-PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, ChunkMark& mark) {
+PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, const Sweep& sweep,
+                          ChunkMark& mark) {
   const auto begin = std::chrono::steady_clock::now();
   const ScratchFolder scratch(own_disk(), std::string("impetus-") + kScratchBegin);
   const fs::path ledger = scratch.path() / "chunk.sqlite";
@@ -102,7 +165,7 @@ PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, Ch
   if (!tools) {
     throw std::runtime_error("a package of R is missing; R has said which");
   }
-  require_build(options.out, task.question, task.request, tools->build);
+  sweep.require_build(tools->build);
   simulate_studies({options, task, *tools, scratch.path(), ledger, told});
   PowerChunk chunk{task.question, task.request, tools->build, 0.0, {}};
   chunk.studies = PowerLedger(ledger, task.question).studies();
@@ -110,61 +173,32 @@ PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, Ch
   return chunk;
 }
 
-/// Prints a command for each chunk, with its state as a shell's comment, and the sums. Writes
-/// nothing.
-int list_commands(const PowerOptions& options, const PowerTask& task) {
-  return list_chunks({options.out, options.chunks, options.repeated, [&](std::int64_t number) {
-                        PowerRequest request = task.request;
-                        request.chunk.number = number;
-                        return read_chunk(options.out, task.question, request).took_s;
-                      }});
-}
-
-/// Computes the chunk that was asked for, unless it is there. Throws what keeps it from it, in one
-/// sentence that --list repeats; then the chunk is as it was.
-int do_chunk(const PowerOptions& options, const PowerTask& task) {
-  const fs::path out = options.out;
-  const fs::path file = chunk_file(out, options.chunk);
-  make_out_folder(chunk_folder(out));
-  if (fs::exists(file)) {
-    read_chunk(out, task.question, task.request);
-    std::printf("%s: is there already\n", file.c_str());
-    return kDone;
-  }
-  ChunkMark mark(out, options.chunk);
-  try {
-    require_writable(file);
-    write_chunk(out, computed_chunk(options, task, mark));
-  } catch (const std::exception& error) {
-    mark.fail(error.what());
-    throw;
-  }
-  std::printf("%s: done\n", file.c_str());
-  return kDone;
-}
-
 /// Puts the studies of all chunks into the ledger, all or none. Throws InputError when a chunk is
 /// missing, broken or another question's.
-void gather_chunks(const PowerOptions& options, const PowerTask& task, const fs::path& ledger) {
+void gather_chunks(const Sweep& sweep, const PowerQuestion& question) {
   std::vector<TestedStudy> studies;
-  for (PowerChunk& chunk : read_all_chunks(options.out, task.question, task.request)) {
-    std::move(chunk.studies.begin(), chunk.studies.end(), std::back_inserter(studies));
-  }
-  PowerLedger(ledger, task.question).add(studies);
+  sweep.read_all([&](const SweptChunk& chunk) {
+    std::vector<TestedStudy> more = tested_studies(chunk);
+    std::move(more.begin(), more.end(), std::back_inserter(studies));
+  });
+  PowerLedger(sweep.out / kLedgerName, question).add(studies);
 }
 
 int power(const PowerOptions& options) {
   const BuildingLine told;
   require_power_folder(options.out, options.chunks > 0);
   const PowerTask task = task_of(options);
+  const Sweep sweep = power_sweep(options.out, task.question, task.request);
   if (options.list) {
-    return list_commands(options, task);
+    return list_chunks(sweep, options.repeated);
   }
   if (options.chunk > 0) {
-    return do_chunk(options, task);
+    return compute_chunk(sweep, options.chunk, [&](ChunkMark& mark) {
+      write_chunk(sweep.out, computed_chunk(options, task, sweep, mark));
+    });
   }
   if (options.chunks > 0) {
-    gather_chunks(options, task, fs::path(options.out) / kLedgerName);
+    gather_chunks(sweep, task.question);
   } else if (!simulate_all(options, task)) {
     return kCouldNotRun;
   }

@@ -4,10 +4,10 @@
 #include <SQLiteCpp/Database.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <mutex>
 #include <stdexcept>
@@ -19,6 +19,7 @@
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/participant_run.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
+#include "experiments/observers/side_by_side.hpp"
 #include "experiments/provenance/build_name.hpp"
 
 namespace impetus::inline commands {
@@ -38,32 +39,13 @@ class PowerStudies {
   }
 
   void run() {
-    std::vector<std::thread> threads;
-    for (std::int64_t job = 1; job < work_.jobs; ++job) {
-      threads.emplace_back([this, job] { work_until_done(job); });
-    }
-    work_until_done(0);
-    for (std::thread& thread : threads) {
-      thread.join();
-    }
-    if (failure_) {
-      std::rethrow_exception(failure_);
-    }
+    run_workers(work_.jobs, stops_, [this](std::int64_t job) {
+      while (!stops_ && take_a_batch(job)) {
+      }
+    });
   }
 
  private:
-  void work_until_done(std::int64_t job) {
-    try {
-      while (!has_failed() && take_a_batch(job)) {
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) {
-        failure_ = std::current_exception();
-      }
-    }
-  }
-
   /// False when nothing is missing any more.
   bool take_a_batch(std::int64_t job) {
     const std::vector<PowerCell> cells = ledger_.take(work_.request, studies_in_a_batch());
@@ -106,11 +88,11 @@ class PowerStudies {
     own.seed = seed_of_study(work_.seed, cell.number);
     own.keeps_steps = false;  // nothing that is tested is in them, and they take half of the time
     simulate_people(cell.effect ? work_.planted : work_.without, own, cell.sizes.back(), study,
-                    [this] { return has_failed(); });
+                    [this] { return stops_.load(); });
   }
 
   void test(const fs::path& folder) {
-    if (has_failed()) {
+    if (stops_) {
       return;
     }
     const int status = run_needed_r_script(
@@ -159,18 +141,13 @@ class PowerStudies {
     return missing;
   }
 
-  bool has_failed() {
-    const std::lock_guard lock(mutex_);
-    return failure_ != nullptr;
-  }
-
   const PowerWork& work_;
   PowerLedger& ledger_;
-  std::mutex mutex_;  ///< of what follows
+  std::atomic<bool> stops_{false};  ///< one has failed
+  std::mutex mutex_;                ///< of what follows
   ProgressLine line_;
   std::int64_t missing_at_first_{0};
   double study_s_{0.0};  ///< what one took last; 0: not known yet
-  std::exception_ptr failure_;
 };
 
 }  // namespace
@@ -179,10 +156,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::int64_t jobs_of(std::int64_t wanted) {
-  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-  return std::max<std::int64_t>(1, wanted > 0 ? wanted : cores);
-}
+std::int64_t jobs_of(std::int64_t wanted) { return wanted > 0 ? wanted : core_count(); }
 
 void simulate_people(const RunPart& part, const RunOptions& run, std::int64_t participants,
                      StudyFile& study, const std::function<bool()>& stops) {

@@ -7,15 +7,14 @@
 //
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
@@ -33,7 +32,7 @@
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/fitting/fit.hpp"
 #include "experiments/models/atomic_file.hpp"
-#include "experiments/power/chunk_mark.hpp"
+#include "experiments/observers/side_by_side.hpp"
 #include "experiments/power/recovery.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/provenance/build_name.hpp"
@@ -46,6 +45,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kUsualChunks = 20;  ///< what is lost by an interruption is one of them
+constexpr const char* kProgress = "simulating and fitting studies";
 
 /// What `impetus recover` was asked for.
 struct RecoverOptions : ChunkOptions {
@@ -134,122 +134,68 @@ RecoveredStudy recovered_study(const RecoveryWork& work, std::int64_t number,
   return recovered;
 }
 
-/// Studies of one chunk, shared among threads.
-class ChunkStudies {
- public:
-  ChunkStudies(const RecoveryWork& work, const std::vector<std::int64_t>& numbers,
-               const fs::path& scratch, std::function<void(double)> told)
-      : work_(work),
-        numbers_(numbers),
-        scratch_(scratch),
-        told_(std::move(told)),
-        studies_(numbers.size()) {}
-
-  std::vector<RecoveredStudy> run(std::int64_t jobs) {
-    std::vector<std::thread> threads;
-    for (std::int64_t job = 1; job < std::min(jobs, std::ssize(numbers_)); ++job) {
-      threads.emplace_back([this] { work_until_done(); });
-    }
-    work_until_done();
-    for (std::thread& thread : threads) {
-      thread.join();
-    }
-    if (failure_) {
-      std::rethrow_exception(failure_);
-    }
-    return std::move(studies_);
-  }
-
- private:
-  void work_until_done() {
-    try {
-      for (std::size_t place = next_++; place < numbers_.size() && !fails_; place = next_++) {
-        studies_[place] = recovered_study(work_, numbers_[place], scratch_);
-        const std::lock_guard lock(mutex_);
-        told_(static_cast<double>(++done_) / static_cast<double>(numbers_.size()));
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      fails_ = true;
-      failure_ = failure_ ? failure_ : std::current_exception();
-    }
-  }
-
-  const RecoveryWork& work_;
-  const std::vector<std::int64_t>& numbers_;
-  const fs::path& scratch_;
-  std::function<void(double)> told_;
-  std::vector<RecoveredStudy> studies_;
-  std::atomic<std::size_t> next_{0};
-  std::atomic<bool> fails_{false};
-  std::size_t done_{0};
-  std::exception_ptr failure_;
-  std::mutex mutex_;
-};
-
-/// Computes it and writes its file. Throws what keeps it from it; then there is no file.
-void do_chunk(const RecoverOptions& options, const RecoveryWork& work, const ChunkNumber& chunk,
-              const std::function<void(double)>& told) {
-  ChunkMark mark(options.out, chunk.number);
-  try {
-    require_writable(chunk_file(options.out, chunk.number));
-    const auto begin = std::chrono::steady_clock::now();
-    const ScratchFolder scratch(own_disk(), "impetus-recovering-");
-    const std::vector<std::int64_t> numbers = numbers_of(chunk, work.question.studies);
-    ChunkStudies studies(work, numbers, scratch.path(), [&](double share) {
-      mark.tell(share);
-      told(share);
-    });
-    RecoveryChunk done{work.question, chunk, build_name(), 0.0, studies.run(jobs_of(options.jobs))};
-    done.took_s = seconds_since(begin);
-    write_chunk(options.out, done);
-  } catch (const std::exception& error) {
-    mark.fail(error.what());
-    throw;
-  }
-}
-
-std::vector<std::int64_t> missing_chunks(const RecoverOptions& options) {
-  std::vector<std::int64_t> missing;
-  for (std::int64_t number = 1; number <= options.all_chunks(); ++number) {
-    if (!fs::exists(chunk_file(options.out, number))) {
-      missing.push_back(number);
-    }
-  }
-  return missing;
-}
-
-void compute(const RecoverOptions& options, RecoveryWork& work,
-             const std::vector<std::int64_t>& chunks) {
+/// Builds what the studies of all chunks share.
+void prepare(RecoveryWork& work) {
   solve_what_is_asked(work.part);
   build_shapes(work.part);
-  ProgressLine line("simulating and fitting studies");
-  for (std::size_t i = 0; i < chunks.size(); ++i) {
-    do_chunk(options, work, {chunks[i], options.all_chunks()}, [&](double share) {
-      line.tell((static_cast<double>(i) + share) / static_cast<double>(chunks.size()));
-    });
-  }
+}
+
+/// Simulates and fits the studies of a chunk, so many at a time as the options say, and tells the
+/// share that is done.
+RecoveryChunk computed_chunk(const RecoverOptions& options, const RecoveryWork& work,
+                             const ChunkNumber& chunk, const std::function<void(double)>& told) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ScratchFolder scratch(own_disk(), "impetus-recovering-");
+  const std::vector<std::int64_t> numbers = numbers_of(chunk, work.question.studies);
+  std::vector<RecoveredStudy> studies(numbers.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  const auto recover_one = [&](std::size_t place) {
+    studies[place] = recovered_study(work, numbers[place], scratch.path());
+    const std::lock_guard lock(mutex);
+    told(static_cast<double>(++done) / static_cast<double>(numbers.size()));
+  };
+  do_side_by_side(numbers.size(), recover_one, jobs_of(options.jobs));
+  return {work.question, chunk, build_name(), seconds_since(begin), std::move(studies)};
 }
 
 /// The chunk that was asked for, unless it is there and can be used.
-int compute_one(const RecoverOptions& options, RecoveryWork& work) {
-  const fs::path file = chunk_file(options.out, options.chunk);
-  if (fs::exists(file)) {
-    read_chunk(options.out, work.question, {options.chunk, options.all_chunks()});
-    std::printf("%s: is there already\n", file.c_str());
-    return kDone;
-  }
-  compute(options, work, {options.chunk});
-  std::printf("%s: done\n", file.c_str());
-  return kDone;
+int compute_one(const RecoverOptions& options, RecoveryWork& work, const Sweep& sweep) {
+  return compute_chunk(sweep, options.chunk, [&](ChunkMark& mark) {
+    prepare(work);
+    ProgressLine line(kProgress);
+    const auto tell = [&](double share) {
+      mark.tell(share);
+      line.tell(share);
+    };
+    write_chunk(sweep.out, computed_chunk(options, work, {options.chunk, sweep.chunks}, tell));
+  });
 }
 
-int write_page(const RecoverOptions& options, const RecoveryQuestion& question) {
-  const std::vector<RecoveredStudy> studies =
-      read_all_chunks(options.out, question, options.all_chunks());
-  const fs::path page = fs::path(options.out) / "recovery.md";
+void compute_missing(const RecoverOptions& options, RecoveryWork& work, const Sweep& sweep) {
+  const std::vector<std::int64_t> missing = sweep.missing();
+  if (missing.empty()) {
+    return;
+  }
+  make_out_folder(chunk_folder(sweep.out));
+  prepare(work);
+  ProgressLine line(kProgress);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    attempt_chunk(sweep, missing[i], [&](ChunkMark& mark) {
+      const auto tell = [&](double share) {
+        mark.tell(share);
+        line.tell((static_cast<double>(i) + share) / static_cast<double>(missing.size()));
+      };
+      write_chunk(sweep.out, computed_chunk(options, work, {missing[i], sweep.chunks}, tell));
+    });
+  }
+}
+
+int write_page(const Sweep& sweep, const RecoveryQuestion& question) {
+  const std::vector<RecoveredStudy> studies = read_studies(sweep);
+  const fs::path page = sweep.out / "recovery.md";
   const std::string text = recovery_page(question, studies);
-  write_whole_file(fs::path(options.out) / "recovery.csv", recovery_csv(studies));
+  write_whole_file(sweep.out / "recovery.csv", recovery_csv(studies));
   write_whole_file(page, text);
   std::printf("%s%s: the page; recovery.csv beside it has every study\n", text.c_str(),
               page.c_str());
@@ -261,21 +207,16 @@ int recover(const RecoverOptions& options) {
   require_chunks(options, options.all_chunks(), options.studies);
   require_recovery_folder(options.out);
   RecoveryWork work = work_of(options);
+  const Sweep sweep = recovery_sweep(options.out, work.question, options.all_chunks());
   if (options.list) {
-    return list_chunks(
-        {options.out, options.all_chunks(), options.repeated, [&](std::int64_t number) {
-           return read_chunk(options.out, work.question, {number, options.all_chunks()}).took_s;
-         }});
+    return list_chunks(sweep, options.repeated);
   }
-  make_out_folder(chunk_folder(options.out));
-  require_build(options.out, work.question, options.all_chunks(), build_name());
+  sweep.require_build(build_name());
   if (options.chunk > 0) {
-    return compute_one(options, work);
+    return compute_one(options, work, sweep);
   }
-  if (const std::vector<std::int64_t> missing = missing_chunks(options); !missing.empty()) {
-    compute(options, work, missing);
-  }
-  return write_page(options, work.question);
+  compute_missing(options, work, sweep);
+  return write_page(sweep, work.question);
 }
 
 }  // namespace

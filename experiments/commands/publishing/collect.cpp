@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "experiments/commands/commands.hpp"
@@ -64,14 +63,12 @@ int collect(const CollectOptions& options) {
 }  // namespace
 
 void add_collect(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<CollectOptions>();
-  CLI::App* command =
-      app.add_subcommand("collect", "Take sessions of a published study into a study file");
+  const auto [command, options] = add_command<CollectOptions>(
+      app, chosen, collect, "collect", "Take sessions of a published study into a study file");
   command->add_option("folder", options->folder, "Folder of what came back (.jsonl)")->required();
   command->add_option("--site", options->site, "Folder that `impetus publish` wrote")->required();
   command->add_option("--into", options->database, "Study file; made when it does not exist")
       ->required();
-  command->callback([options, &chosen] { chosen = [options] { return collect(*options); }; });
 }
 
 }  // namespace impetus::inline commands

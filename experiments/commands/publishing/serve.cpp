@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -138,10 +137,9 @@ int serve(const ServeOptions& options) {
 }  // namespace
 
 void add_serve(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<ServeOptions>();
+  const auto [command, options] = add_command<ServeOptions>(
+      app, chosen, serve, "serve", "Serve a study as a web page and keep its sessions");
   options->publishing.site.served = true;
-  CLI::App* command =
-      app.add_subcommand("serve", "Serve a study as a web page and keep its sessions");
   add_publish_options(*command, options->publishing);
   command->add_option("--db", options->database, "Study file; made when it does not exist")
       ->required();
@@ -156,7 +154,6 @@ void add_serve(CLI::App& app, Command& chosen) {
                       "Where participants see it, behind a web server, as https://lab.example");
   command->add_option("--links", options->links, "Print so many links, each for one participant")
       ->check(CLI::Range(0, 100'000));
-  command->callback([options, &chosen] { chosen = [options] { return serve(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -197,7 +197,7 @@ json what_if_json(const std::vector<ComparedStimulus>& compared) {
   return json::object({{"stimuli", stimuli},
                        {"then", json_of(totals.then)},
                        {"now", json_of(totals.now)},
-                       {"matched", json_of(totals.matches)},
+                       {"matched", totals.matches},
                        {"match_within_s", kMatchWithin_s},
                        {"parted", totals.parted},
                        {"seen_apart", totals.seen_apart},

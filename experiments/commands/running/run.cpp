@@ -284,7 +284,7 @@ int run(const RunOptions& options) {
   for (const RunPart& part : parts) {
     build_shapes(part);
   }
-  try {
+  return while_reading(study, [&] {
     if (options.participants > 0) {
       run_simulated_group(parts, options, study);
       tell_saved(options, group_words(options.participants));
@@ -293,16 +293,14 @@ int run(const RunOptions& options) {
                  sitting_words(options.participant, run_participant(parts, options, study)));
     }
     return kDone;
-  } catch (const SQLite::Exception& error) {
-    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
-  }
+  });
 }
 
 }  // namespace
 
 void add_run(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Run a session of a protocol, or of a series");
+  const auto [command, options] = add_command<RunOptions>(
+      app, chosen, run, "run", "Run a session of a protocol, or of a series");
   command
       ->add_option("protocol", options->protocol,
                    "Protocol file, such as protocols/causality.json, or a series of them")
@@ -352,7 +350,6 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option("--markers", options->markers,
                       "Where the codes of a protocol's \"markers\" go, right after each flip: "
                       "serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or lsl://NAME");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -2,16 +2,16 @@
 #include "experiments/commands/running/simulated_group.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
-#include <exception>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/participant_run.hpp"
 #include "experiments/design/between_participants.hpp"
+#include "experiments/observers/side_by_side.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/study/stored_plan.hpp"
 
@@ -28,24 +28,16 @@ class SimulatedGroup {
         line_("simulating " + std::to_string(options.participants) + " participants") {}
 
   void run() {
-    std::vector<std::thread> threads;
-    for (std::int64_t job = 1; job < jobs(); ++job) {
-      threads.emplace_back([this] { take_participants(); });
-    }
-    take_participants();
-    for (std::thread& thread : threads) {
-      thread.join();
-    }
-    if (failure_) {
-      std::rethrow_exception(failure_);
-    }
+    run_workers(jobs(), stops_, [this](std::int64_t /*any*/) {
+      while (take_next()) {
+      }
+    });
   }
 
   [[nodiscard]] std::int64_t finished_before() const { return finished_before_; }
 
  private:
   [[nodiscard]] std::int64_t jobs() const {
-    const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
     // Who follows another's gaze must find the same others finished, and who joins a group in a
     // later part the same others planned for, however many cores there are.
     const bool in_order = std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& part) {
@@ -53,26 +45,14 @@ class SimulatedGroup {
       return (gaze && gaze->yoked_to) ||
              (parts_.size() > 1 && groups(part.protocol.design).size() > 1);
     });
-    const std::int64_t wanted = in_order ? 1 : options_.jobs > 0 ? options_.jobs : cores;
+    const std::int64_t wanted = in_order ? 1 : options_.jobs > 0 ? options_.jobs : core_count();
     return std::clamp<std::int64_t>(wanted, 1, options_.participants);
-  }
-
-  void take_participants() {
-    try {
-      while (take_next()) {
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) {
-        failure_ = std::current_exception();
-      }
-    }
   }
 
   /// Whether there was one to take.
   bool take_next() {
     std::unique_lock turn(turn_);
-    if (next_ > options_.participants || has_failed()) {
+    if (next_ > options_.participants || stops_) {
       return false;
     }
     RunOptions own = options_;
@@ -109,21 +89,16 @@ class SimulatedGroup {
     line_.tell(done_ / static_cast<double>(options_.participants));
   }
 
-  bool has_failed() {
-    const std::lock_guard lock(mutex_);
-    return failure_ != nullptr;
-  }
-
   const std::vector<RunPart>& parts_;
   const RunOptions& options_;
   StudyFile& study_;
-  std::mutex turn_;  ///< to take the next participant
+  std::atomic<bool> stops_{false};  ///< one has failed
+  std::mutex turn_;                 ///< to take the next participant
   std::int64_t next_{1};
   std::int64_t finished_before_{0};  ///< changed by who has the turn
   std::mutex mutex_;                 ///< of what follows
   ProgressLine line_;
   double done_{0.0};  ///< participants, the parts of one being fractions
-  std::exception_ptr failure_;
 };
 
 }  // namespace

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/trading/parting_chunks.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <string>
 #include <utility>
 
-#include "experiments/commands/commands.hpp"
-#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/models/atomic_file.hpp"
-#include "experiments/power/chunk_file.hpp"
-#include "experiments/power/chunk_mark.hpp"
 #include "experiments/provenance/build_name.hpp"
-#include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -48,66 +41,51 @@ PartingRequest request_of(const PartingWork& work, const ChunkNumber& chunk) {
   return request;
 }
 
-/// All that a chunk's trials follow from.
-json question_of(const PartingWork& work, const ChunkNumber& chunk) {
+/// The trials that a chunk keeps: of each setting, by start.
+std::vector<std::vector<PartedTrial>> kept_trials(const json& chunk) {
+  std::vector<std::vector<PartedTrial>> trials;
+  for (const json& setting : chunk.at("trials")) {
+    std::vector<PartedTrial>& all = trials.emplace_back();
+    for (const json& trial : setting) {
+      all.push_back(parted_trial(trial));
+    }
+  }
+  return trials;
+}
+
+/// What a chunk of so many settings and starts lacks, in words; "": nothing.
+std::string lacking(const json& chunk, std::size_t settings, std::size_t starts) {
+  const std::vector<std::vector<PartedTrial>> trials = kept_trials(chunk);
+  const bool has_all_starts = std::all_of(
+      trials.begin(), trials.end(), [&](const auto& setting) { return setting.size() == starts; });
+  return !has_all_starts             ? "all starts of its chunk"
+         : trials.size() != settings ? "all settings"
+                                     : "";
+}
+
+/// The files of all chunks. `work` must outlive it.
+Sweep parting_sweep(const fs::path& out, std::int64_t chunks, const PartingWork& work) {
   json question = work.question;
-  question["number of chunks"] = chunk.of;
-  return question;
-}
-
-/// Says which part of the question a chunk answers otherwise.
-void require_question(const fs::path& file, const json& there, const json& wanted) {
-  for (const auto& [words, value] : wanted.items()) {
-    if (there.at(words) != value) {
-      throw InputError(file.string() +
-                       ": expected a chunk of the same question, got one of another " + words +
-                       "; give another --out");
-    }
+  question["number of chunks"] = chunks;
+  std::vector<AskedPart> parts;
+  for (const auto& [words, value] : question.items()) {
+    parts.push_back({(json::json_pointer("/question") / words).to_string(), words});
   }
+  return {
+      kPartings, out, chunks, {{"question", question}}, parts, [&work, chunks](const json& chunk) {
+        const ChunkNumber number{chunk.at("chunk").get<std::int64_t>(), chunks};
+        const auto starts = static_cast<std::size_t>(request_of(work, number).starts);
+        return lacking(chunk, work.request.settings.size(), starts);
+      }};
 }
 
-/// What a chunk's file holds, once it is known to belong here.
-struct PartingChunk {
-  std::string build;
-  double took_s{0.0};
-  std::vector<std::vector<PartedTrial>> trials;  ///< of each setting, by start
-};
-
-PartingChunk read_parting_chunk(const fs::path& out, const PartingWork& work,
-                                const ChunkNumber& chunk) {
-  const fs::path file = chunk_file(out, chunk.number);
-  const json value = read_chunk_value(file, kPartings);
-  try {
-    require_question(file, value.at("question"), question_of(work, chunk));
-    if (value.at("chunk") != chunk.number) {
-      refuse_chunk(file, "chunk " + std::to_string(chunk.number), "another");
-    }
-    PartingChunk read{value.at("build").get<std::string>(), value.at("took_s").get<double>(), {}};
-    const auto starts = static_cast<std::size_t>(request_of(work, chunk).starts);
-    for (const json& setting : value.at("trials")) {
-      read.trials.emplace_back();
-      for (const json& trial : setting) {
-        read.trials.back().push_back(parted_trial(trial));
-      }
-      if (read.trials.back().size() != starts) {
-        refuse_chunk(file, "all starts of its chunk", "others");
-      }
-    }
-    if (read.trials.size() != work.request.settings.size()) {
-      refuse_chunk(file, "all settings", "others");
-    }
-    return read;
-  } catch (const json::exception&) {
-    refuse_chunk(file, "a whole chunk", "one that lacks a part");
-  }
-}
-
-json computed_chunk(const PartingWork& work, const ChunkNumber& chunk, const StartOf& start,
-                    ChunkMark& mark) {
-  ProgressLine line("whole trials of chunk " + std::to_string(chunk.number));
+json computed_chunk(const PartingWork& work, const Sweep& sweep, std::int64_t number,
+                    const StartOf& start, ChunkMark& mark) {
+  ProgressLine line("whole trials of chunk " + std::to_string(number));
   const auto begin = std::chrono::steady_clock::now();
   json trials = json::array();
-  for (const PartedTrials& of_setting : partings(start, request_of(work, chunk), [&](double share) {
+  for (const PartedTrials& of_setting :
+       partings(start, request_of(work, {number, sweep.chunks}), [&](double share) {
          mark.tell(share);
          line.tell(share);
        })) {
@@ -117,68 +95,42 @@ json computed_chunk(const PartingWork& work, const ChunkNumber& chunk, const Sta
     }
   }
   return {{"build", build_name()},
-          {"question", question_of(work, chunk)},
-          {"chunk", chunk.number},
+          {"question", sweep.asked.at("question")},
+          {"chunk", number},
           {"took_s", seconds_since(begin)},
           {"trials", trials}};
-}
-
-/// Two builds are never mixed: the first chunk that is there is asked.
-void require_this_build(const fs::path& out, const PartingWork& work, std::int64_t chunks) {
-  for (std::int64_t number = 1; number <= chunks; ++number) {
-    const fs::path file = chunk_file(out, number);
-    if (fs::exists(file)) {
-      require_same_build(file, read_parting_chunk(out, work, {number, chunks}).build, build_name());
-      return;
-    }
-  }
 }
 
 }  // namespace
 
 int list_partings(const fs::path& out, const ChunkOptions& options, const PartingWork& work) {
-  return list_chunks({out, options.chunks, options.repeated, [&](std::int64_t number) {
-                        return read_parting_chunk(out, work, {number, options.chunks}).took_s;
-                      }});
+  return list_chunks(parting_sweep(out, options.chunks, work), options.repeated);
 }
 
 int do_parting_chunk(const fs::path& out, const ChunkOptions& options, const PartingWork& work,
                      const StartOf& start) {
-  const ChunkNumber chunk{options.chunk, options.chunks};
-  const fs::path file = chunk_file(out, chunk.number);
-  make_out_folder(chunk_folder(out));
-  require_this_build(out, work, chunk.of);
-  if (fs::exists(file)) {
-    read_parting_chunk(out, work, chunk);
-    std::printf("%s: is there already\n", file.c_str());
-    return kDone;
-  }
-  ChunkMark mark(out, chunk.number);
-  try {
-    require_writable(file);
-    write_chunk_value(file, kPartings, computed_chunk(work, chunk, start, mark));
-  } catch (const std::exception& error) {
-    mark.fail(error.what());
-    throw;
-  }
-  std::printf("%s: done\n", file.c_str());
-  return kDone;
+  const Sweep sweep = parting_sweep(out, options.chunks, work);
+  sweep.require_build(build_name());
+  return compute_chunk(sweep, options.chunk, [&](ChunkMark& mark) {
+    write_chunk_value(chunk_file(out, options.chunk), kPartings,
+                      computed_chunk(work, sweep, options.chunk, start, mark));
+  });
 }
 
 std::vector<PartedTrials> gathered_partings(const fs::path& out, std::int64_t chunks,
                                             const PartingWork& work) {
-  require_all_chunks(out, chunks);
   std::vector<PartedTrials> all;
   for (const PartingSetting& setting : work.request.settings) {
     all.push_back({setting, {}});
   }
-  for (std::int64_t number = 1; number <= chunks; ++number) {
-    PartingChunk chunk = read_parting_chunk(out, work, {number, chunks});
-    require_same_build(chunk_file(out, number), chunk.build, build_name());
+  const Sweep sweep = parting_sweep(out, chunks, work);
+  sweep.read_all([&](const SweptChunk& chunk) {
+    std::vector<std::vector<PartedTrial>> trials = kept_trials(chunk.value);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      std::move(chunk.trials[i].begin(), chunk.trials[i].end(), std::back_inserter(all[i].trials));
+      std::move(trials[i].begin(), trials[i].end(), std::back_inserter(all[i].trials));
     }
-  }
+  });
+  sweep.require_build(build_name());  // which measures the rest
   return all;
 }
 

@@ -12,6 +12,7 @@
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/settings/optional_json.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
 #include "experiments/trade/crowds/cut_trade.hpp"
 #include "experiments/trade/parting.hpp"
@@ -109,7 +110,7 @@ std::vector<TradeRow> cut_part(const ScheduledTrade& trade, const ScheduledTrade
 
 json setting_json(const PartingSetting& setting) {
   return {setting.kind, setting.level, setting.order.scheduler, setting.order.traversal,
-          setting.budget ? json(*setting.budget) : json()};
+          setting.budget};
 }
 
 PartingWork parting_work(const ScheduledTrade& trade, const ScheduledTradeOptions& options,

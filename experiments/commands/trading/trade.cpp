@@ -19,11 +19,11 @@
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/given_words.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/trading/scheduled_trade.hpp"
-#include "experiments/commands/trading/trade_figure.hpp"
 #include "experiments/files/scene_files.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/checked_scene.hpp"
@@ -32,6 +32,7 @@
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/text_table.hpp"
 #include "experiments/trade/crowds/cut_trade.hpp"
+#include "experiments/trade/embedded_trade_script.hpp"
 #include "experiments/trade/impacts/impact_rows.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"
 #include "experiments/trade/scene_demand.hpp"
@@ -266,6 +267,25 @@ std::string settings_text(const Trade& trade, const std::vector<TradeChoice>& ch
         {"engine", engine_with(trade.scene.value, choice.option, trade.depth)}};
   }
   return settings.dump(2) + "\n";
+}
+
+/// Writes the figure's script, trade.R, into `folder` beside trade.csv and runs it with Rscript.
+/// What to tell the user: that trade.svg and trade.pdf are written, or what is missing and how to
+/// make them then.
+std::string draw_trade_figure(const std::filesystem::path& folder) {
+  const std::string script = (folder / "trade.R").string();
+  const std::string table = (folder / "trade.csv").string();
+  write_whole_file(script, kTradeScriptText);
+  const std::string by_hand = "Rscript " + script + " " + table;
+  const std::filesystem::path figure = folder / "trade.svg";
+  std::filesystem::remove(figure);
+  const int status = run_r_script({script, table});
+  if (status == 0 && std::filesystem::exists(figure)) {
+    return "figure: " + figure.string() + ", " + (folder / "trade.pdf").string();
+  }
+  const std::string missing = status == kNoRscript ? "Rscript is missing" : "Rscript failed";
+  return "no figure: " + missing + "; with R and ggplot2 (apt-get install r-cran-ggplot2), " +
+         by_hand + " draws it";
 }
 
 void tell(const std::vector<TradeChoice>& choices, double pairs,

@@ -99,18 +99,16 @@ Foresight foresee(const StagedScene& scene, const Imagination& by, RandomStream&
 }
 
 const ObserverKind& counterfactual_observer() {
-  static CounterfactualParameters nobody;
   static const ObserverKind kind{
       .name = "counterfactual",
       .words =
           "Runs the rest of a clip in its own engine without the other body, again and again, "
           "and answers by the share of runs in which the goal's body gets through.",
       .attention = {"where the bodies are and where they go", {"position", "velocity", "shape"}},
-      .parameters = counterfactual_entries(nobody),
-      .read = read_imagining<CounterfactualParameters, counterfactual_entries>,
+      .parameters = list_of<CounterfactualParameters, counterfactual_entries>(),
+      .read = read_with<CounterfactualParameters, counterfactual_entries, answer_blindly_by_lapses>,
       .make = make_own<CounterfactualParameters, CounterfactualObserver>,
       .has_own_scale = true,
-      .effect_is_of_all = false,
       .answers = counterfactual_answers()};
   return kind;
 }

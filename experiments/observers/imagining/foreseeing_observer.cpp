@@ -61,18 +61,16 @@ AnswerModel foreseeing_answers() {
 }  // namespace
 
 const ObserverKind& foreseeing_observer() {
-  static ImaginingParameters nobody;
   static const ObserverKind kind{
       .name = "foreseeing",
       .words =
           "Runs the hidden rest of a clip in its own engine, again and again, and answers by the "
           "share of runs in which the two bodies that flashed touch.",
       .attention = {"where the bodies are and where they go", {"position", "velocity", "shape"}},
-      .parameters = foreseeing_entries(nobody),
-      .read = read_imagining<ImaginingParameters, foreseeing_entries>,
+      .parameters = list_of<ImaginingParameters, foreseeing_entries>(),
+      .read = read_with<ImaginingParameters, foreseeing_entries, answer_blindly_by_lapses>,
       .make = make_own<ImaginingParameters, ForeseeingObserver>,
       .has_own_scale = true,
-      .effect_is_of_all = false,
       .answers = foreseeing_answers()};
   return kind;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/draws.hpp"
 #include "experiments/run/scene_run.hpp"
 #include "experiments/run/touching.hpp"

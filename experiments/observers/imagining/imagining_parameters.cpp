@@ -27,14 +27,7 @@ std::vector<ParameterEntry> imagining_entries(ImaginingParameters& own,
       {"tests_per_step", -1.0, kAny, &own.tests_per_step,
        "Units of work in an imagined step; -1, when left out: no limit.", true}};
   entries.insert(entries.end(), beside.begin(), beside.end());
-  entries.insert(
-      entries.end(),
-      {{"lapse_rate", 0.0, 1.0, &own.lapse_rate, "The share of answers that are anything."},
-       {"reaction_median_ms", 0.0, kAny, &own.reaction_median_ms,
-        "Median of the times from question to answer, which are lognormal."},
-       {"reaction_sigma_log", 0.0, kAny, &own.reaction_sigma_log,
-        "Standard deviation of the natural logarithm of these times."}});
-  return entries;
+  return with_answering_entries(own, std::move(entries));
 }
 
 }  // namespace impetus::inline observers

@@ -25,19 +25,4 @@ struct ImaginingParameters : RatingParameters {
 std::vector<ParameterEntry> imagining_entries(ImaginingParameters& own,
                                               const std::vector<ParameterEntry>& beside = {});
 
-/// A lapse answers yes as often as no.
-inline void answer_blindly_by_lapses(RatingParameters& parameters) {
-  parameters.yes_guess_rate = 0.5 * parameters.lapse_rate;
-  parameters.yes_miss_rate = 0.5 * parameters.lapse_rate;
-}
-
-/// Reads these numbers of a file.
-template <typename Parameters, std::vector<ParameterEntry> (*entries)(Parameters&)>
-std::shared_ptr<const RatingParameters> read_imagining(const JsonDocument& document) {
-  auto own = std::make_shared<Parameters>();
-  read_numbers(document, entries(*own), {}, nullptr);
-  answer_blindly_by_lapses(*own);
-  return own;
-}
-
 }  // namespace impetus::inline observers

@@ -26,22 +26,16 @@ Percept shares_by_noise(
 double share_at_noise(const Percept& shares, double heading_noise_deg);
 
 /// What a fit of those who imagine has in common: the noise of heading is looked for first.
-template <typename Parameters, std::vector<ParameterEntry> (*own_entries)(Parameters&)>
+template <typename Parameters, Lister<Parameters> entries>
 AnswerModel imagining_answers() {
-  AnswerModel answers;
+  AnswerModel answers = answers_with<Parameters, entries>();
   answers.fitted = {"heading_noise_deg", "lapse_rate"};
   answers.is_of_scene = true;
   answers.seen = [](const RatingParameters& parameters, const Traits& /*all are alike*/,
                     const Percept& percept) {
     return share_at_noise(percept, static_cast<const Parameters&>(parameters).heading_noise_deg);
   };
-  answers.entries = [](RatingParameters& parameters) {
-    return own_entries(static_cast<Parameters&>(parameters));
-  };
-  answers.copy = [](const RatingParameters& parameters) -> std::shared_ptr<RatingParameters> {
-    return std::make_shared<Parameters>(static_cast<const Parameters&>(parameters));
-  };
-  answers.settle = [](RatingParameters& parameters) { answer_blindly_by_lapses(parameters); };
+  answers.settle = answer_blindly_by_lapses;
   return answers;
 }
 

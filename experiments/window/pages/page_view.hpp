@@ -1,5 +1,5 @@
 // A page on show, without its frames: what has been filled in, where the focus is, how far it is
-// scrolled, and what a key does. asked_page.hpp puts it before somebody.
+// scrolled, and what a key does. PageTurn in window.cpp puts it before somebody.
 //
 //   stops   field 0, field 1, ..., choice 0, choice 1, ...      Tab goes on, Shift-Tab back
 //

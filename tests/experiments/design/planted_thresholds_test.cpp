@@ -7,8 +7,7 @@
 
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/files/protocol_files.hpp"
-#include "experiments/observers/causality_observer.hpp"
-#include "tests/experiments/fakes.hpp"
+#include "tests/experiments/fitting/answering_group.hpp"
 
 namespace impetus::planted_thresholds_test {
 
@@ -42,34 +41,27 @@ class Answers {
   Answers(const Protocol& protocol, double threshold_ms, const std::string& pseudonym)
       : scene_(
             ProtocolScenes(protocol, 0.0).stage(cells(protocol.design).front(), assumed_screen())),
-        observer_(parameters(threshold_ms), {7, pseudonym, clock_, clock_}) {
-    page_.response = "yes_no";
-    page_.layout = Page::Layout::kChoices;
-    page_.choices = {{"yes", "y"}, {"no", "n"}};
-  }
+        observer_(make_observer(who_sees(threshold_ms), {7, pseudonym, clock_, clock_})) {}
 
   bool yes_to(double delay_ms) {
-    AttemptRecord shown;
-    shown.collisions.emplace_back();
-    shown.collisions.back().report.imposed_hold_s = delay_ms / 1e3;
-    observer_.witnessed(shown, scene_);
-    return observer_.ask(page_).choice == 0;
+    observer_->witnessed(freeze(delay_ms), scene_);
+    return observer_->ask(page_).choice == 0;
   }
 
  private:
-  static CausalityParameters parameters(double threshold_ms) {
-    CausalityParameters parameters;
-    parameters.threshold_mean_ms = threshold_ms;
-    parameters.threshold_width_ms = kWidth_ms;
-    parameters.yes_guess_rate = kGuessRate;
-    parameters.yes_miss_rate = kMissRate;
-    return parameters;
+  static ObserverFile who_sees(double threshold_ms) {
+    return observer_with("causality", {{"threshold_mean_ms", threshold_ms},
+                                       {"threshold_sd_ms", 0.0},
+                                       {"threshold_width_ms", kWidth_ms},
+                                       {"guess_rate", kGuessRate},
+                                       {"miss_rate", kMissRate},
+                                       {"effect_sd", 0.0}});
   }
 
   VirtualClock clock_;
   StagedScene scene_;
-  CausalityObserver observer_;
-  Page page_;
+  std::unique_ptr<RatingObserver> observer_;
+  Page page_{question_page("yes_no", 2)};
 };
 
 double delay_of(const PlannedTrial& trial) { return std::get<double>(trial.condition[0].value); }

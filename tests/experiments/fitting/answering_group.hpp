@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,18 @@ namespace impetus {
 
 inline ObserverFile shipped_observer(const std::string& name) {
   return load_observer(source_file("experiments/observers/" + name + ".json").string(), "x");
+}
+
+/// The same with some of its numbers changed, or added.
+inline ObserverFile observer_with(const std::string& name,
+                                  const std::map<std::string, double>& numbers) {
+  ObserverFile file = shipped_observer(name);
+  for (const auto& [number, value] : numbers) {
+    auto& entry = file.document.value["parameters"][number];
+    entry.update({{"value", value}, {"unit", "x"}, {"source", "x"}});
+  }
+  file.parameters = file.kind->read(file.document);
+  return file;
 }
 
 /// What a trial shows: one stimulus, or two.

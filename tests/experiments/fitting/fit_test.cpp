@@ -108,10 +108,8 @@ TEST(Fit, PlantedThresholdAndWidthAreWithinTheirIntervals) {
 
 // Of 95 % intervals, 8 studies: fewer than 6 within has a probability of .6 %.
 TEST(Fit, FindsWhatIsPlantedFarFromWhereItBegins) {
-  ObserverFile file = shipped_observer("gap-thresholds");
-  file.document.value["parameters"]["threshold_arcmin"]["value"] = 22.0;
-  file.document.value["parameters"]["width_log10"]["value"] = 0.1;
-  file.parameters = file.kind->read(file.document);
+  const ObserverFile file =
+      observer_with("gap-thresholds", {{"threshold_arcmin", 22.0}, {"width_log10", 0.1}});
   const ObserverFile assumed = shipped_observer("gap-thresholds");
   int thresholds = 0;
   int widths = 0;

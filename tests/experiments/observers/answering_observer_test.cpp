@@ -4,51 +4,40 @@
 
 #include <cmath>
 
-#include "experiments/observers/causality_observer.hpp"
-#include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/asked_study.hpp"
+#include "tests/experiments/fitting/answering_group.hpp"
 
 namespace impetus::answering_observer_test {
 
-CausalityParameters without_spread() {
-  const auto file = source_file("experiments/observers/causality.json").string();
-  CausalityParameters parameters =
-      static_cast<const CausalityParameters&>(*load_observer(file, "x").parameters);
-  parameters.threshold_sd_ms = parameters.intercept_sd = parameters.lapse_rate = 0.0;
-  return parameters;
+/// Somebody of the causality study, like the mean of the group but for these numbers.
+ObserverFile without_spread(std::map<std::string, double> numbers = {}) {
+  numbers.insert({{"threshold_sd_ms", 0.0}, {"intercept_sd", 0.0}, {"lapse_rate", 0.0}});
+  return observer_with("causality", numbers);
 }
 
-Page question(const std::string& response) {
-  Page page;
-  page.layout = Page::Layout::kChoices;
-  page.response = response;
-  page.choices = {{"a", "1"}, {"b", "2"}};
-  return page;
-}
+Page question(const std::string& response) { return question_page(response, 2); }
 
 /// Shows a freeze of so many milliseconds in an interval.
-void show(CausalityObserver& observer, double delay_ms, std::int64_t interval) {
-  AttemptRecord shown;
-  shown.collisions.resize(1);
-  shown.collisions[0].report.imposed_hold_s = delay_ms / 1e3;
+void show(RatingObserver& observer, double delay_ms, std::int64_t interval) {
+  AttemptRecord shown = freeze(delay_ms);
   shown.frames.resize(1);
   shown.frames[0].interval = interval;
-  observer.witnessed(shown, StagedScene{World({}, {}, {}), {}, {}});
+  observer.witnessed(shown, two_balls());
 }
 
 /// Share of 4,000 answers that are the first choice; the delays of one interval or of two.
-double share_of_first(const CausalityParameters& parameters, const Page& page,
+double share_of_first(const ObserverFile& file, const Page& page,
                       const std::vector<double>& delays_ms) {
   constexpr int kAnswers = 4000;
   VirtualClock clock;
-  CausalityObserver observer(parameters, {1, "S01", clock, clock});
+  const auto observer = make_observer(file, {1, "S01", clock, clock});
   int first = 0;
   for (int i = 0; i < kAnswers; ++i) {
     std::int64_t interval = 0;
     for (const double delay_ms : delays_ms) {
-      show(observer, delay_ms, ++interval);
+      show(*observer, delay_ms, ++interval);
     }
-    first += observer.ask(page).choice == 0 ? 1 : 0;
+    first += observer->ask(page).choice == 0 ? 1 : 0;
   }
   return static_cast<double>(first) / kAnswers;
 }
@@ -57,12 +46,10 @@ constexpr double kFourErrors = 4.0 * 0.0079;  // √(.25 / 4000), at most
 
 // P(yes) = γ + (1 − γ − λ) Φ((τ − 110) / 45)
 TEST(AnsweringObserver, SaysYesAsOftenAsItSawSomething) {
-  CausalityParameters parameters = without_spread();
-  parameters.yes_guess_rate = 0.1;
-  parameters.yes_miss_rate = 0.05;
+  const ObserverFile file = without_spread({{"guess_rate", 0.1}, {"miss_rate", 0.05}});
   for (const double delay_ms : {0.0, 80.0, 110.0, 300.0}) {
     const double seen = 0.5 * std::erfc(-(delay_ms - 110.0) / 45.0 / std::sqrt(2.0));
-    EXPECT_NEAR(share_of_first(parameters, question("yes_no"), {delay_ms}), 0.1 + 0.85 * seen,
+    EXPECT_NEAR(share_of_first(file, question("yes_no"), {delay_ms}), 0.1 + 0.85 * seen,
                 kFourErrors);
   }
 }
@@ -77,7 +64,7 @@ TEST(AnsweringObserver, YesIsThePositiveChoiceWhereverItStands) {
 // it is guessed.
 TEST(AnsweringObserver, ChoosesOfTwoAsTheHighThresholdObserverDoes) {
   VirtualClock clock;
-  const CausalityObserver observer(without_spread(), {1, "S01", clock, clock});
+  const auto observer = make_observer(without_spread(), {1, "S01", clock, clock});
   for (double first = 0.0; first <= 1.0; first += 0.1) {
     for (double second = 0.0; second <= 1.0; second += 0.1) {
       double chosen = 0.0;
@@ -88,35 +75,33 @@ TEST(AnsweringObserver, ChoosesOfTwoAsTheHighThresholdObserverDoes) {
           chosen += chance * (in_first == in_second ? 0.5 : in_first ? 1.0 : 0.0);
         }
       }
-      EXPECT_NEAR(observer.first_probability(first, second), chosen, 1e-12);
+      EXPECT_NEAR(observer->first_probability(first, second), chosen, 1e-12);
     }
   }
 }
 
 TEST(AnsweringObserver, ComparesWhatWasShownInTheTwoIntervalsOfTheSameTrial) {
-  CausalityParameters parameters = without_spread();
-  parameters.threshold_width_ms = 10.0;  // no delay is 11 standard deviations below the threshold
+  // No delay is 11 standard deviations below the threshold.
+  const ObserverFile file = without_spread({{"threshold_width_ms", 10.0}});
   const Page page = question("two_interval");
-  EXPECT_EQ(share_of_first(parameters, page, {1000.0, 0.0}), 1.0);
-  EXPECT_EQ(share_of_first(parameters, page, {0.0, 1000.0}), 0.0);
-  EXPECT_NEAR(share_of_first(parameters, page, {110.0, 0.0}), 0.75, kFourErrors);
-  EXPECT_NEAR(share_of_first(parameters, page, {110.0, 110.0}), 0.5, kFourErrors);
-  CausalityParameters lapsing = parameters;
-  lapsing.lapse_rate = 0.2;
+  EXPECT_EQ(share_of_first(file, page, {1000.0, 0.0}), 1.0);
+  EXPECT_EQ(share_of_first(file, page, {0.0, 1000.0}), 0.0);
+  EXPECT_NEAR(share_of_first(file, page, {110.0, 0.0}), 0.75, kFourErrors);
+  EXPECT_NEAR(share_of_first(file, page, {110.0, 110.0}), 0.5, kFourErrors);
+  const ObserverFile lapsing = without_spread({{"threshold_width_ms", 10.0}, {"lapse_rate", 0.2}});
   EXPECT_NEAR(share_of_first(lapsing, page, {1000.0, 0.0}), 0.9, kFourErrors);
 }
 
 TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
-  CausalityParameters parameters = without_spread();
-  parameters.reaction_median_ms = 1000.0;
-  parameters.reaction_sigma_log = 0.5;
   VirtualClock clock;
-  CausalityObserver observer(parameters, {1, "S01", clock, clock});
+  const auto observer =
+      make_observer(without_spread({{"reaction_median_ms", 1000.0}, {"reaction_sigma_log", 0.5}}),
+                    {1, "S01", clock, clock});
   Page page = question("yes_no");
   page.timeout_ms = 1000.0;
   int timed_out = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Answer answer = observer.ask(page);
+    const Answer answer = observer->ask(page);
     const std::int64_t took_ns = answer.arrived_ns - answer.shown_ns;
     EXPECT_LE(took_ns, 1'000'000'000);
     EXPECT_EQ(answer.timed_out, took_ns == 1'000'000'000);
@@ -129,9 +114,8 @@ TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
 TEST(AnsweringObserver, RatesOfGuessesAndMissesMayStandInItsFile) {
   const TemporaryFolder folder;
   json file = json::parse(shipped("experiments/observers/causality.json"));
-  const auto loaded = [&]() -> CausalityParameters {
-    return static_cast<const CausalityParameters&>(
-        *load_observer(folder.write("o.json", file.dump()).string(), "x").parameters);
+  const auto loaded = [&]() -> RatingParameters {
+    return *load_observer(folder.write("o.json", file.dump()).string(), "x").parameters;
   };
   EXPECT_EQ(loaded().yes_guess_rate, 0.0);
   file["parameters"]["guess_rate"] = {{"value", 0.03}, {"unit", "probability"}, {"source", "x"}};

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/causality_observer.hpp"
-#include "experiments/observers/gap_observer.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,56 +6,60 @@
 #include <numeric>
 #include <set>
 
-#include "experiments/protocol/observer_file.hpp"
-#include "tests/experiments/fakes.hpp"
+#include "experiments/observers/gap_observer.hpp"
+#include "tests/experiments/fitting/answering_group.hpp"
 
 namespace impetus::observer_test {
 
-CausalityParameters shipped() {
-  const auto file = source_file("experiments/observers/causality.json").string();
-  return static_cast<const CausalityParameters&>(*load_observer(file, "x").parameters);
-}
+/// A participant and the clock that he lives by.
+struct Someone {
+  explicit Someone(const ObserverFile& file, const std::string& name = "S01",
+                   std::uint64_t seed = 1)
+      : self(make_observer(file, {seed, name, clock, clock})) {}
 
-GapParameters shipped_gap() {
-  const auto file = source_file("experiments/observers/gap.json").string();
-  return static_cast<const GapParameters&>(*load_observer(file, "x").parameters);
-}
+  /// The chance of each rating, from the good end on, of a freeze.
+  std::vector<double> ratings(double delay_ms) {
+    self->witnessed(freeze(delay_ms), two_balls());
+    return self->probabilities(self->clearest());
+  }
 
-double mean_rating(const CausalityObserver& observer, double delay_ms) {
-  const auto p = observer.rating_probabilities(delay_ms);
-  return p[0] + 2.0 * p[1] + 3.0 * p[2];
+  VirtualClock clock;
+  std::unique_ptr<RatingObserver> self;
+};
+
+Page scale(std::size_t best = 0) {
+  Page page;
+  page.layout = Page::Layout::kScale;
+  page.response = "rating";
+  page.best_choice = best;
+  return page;
 }
 
 TEST(CausalityObserver, ProbabilitiesAddUpToOne) {
-  VirtualClock clock;
-  const CausalityObserver observer(shipped(), {1, "S01", clock, clock});
+  Someone someone(shipped_observer("causality"));
   for (double delay_ms = 0.0; delay_ms <= 1000.0; delay_ms += 50.0) {
-    const auto p = observer.rating_probabilities(delay_ms);
+    const auto p = someone.ratings(delay_ms);
     EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), 1.0, 1e-12);
   }
 }
 
 // Without spread between participants the model is a closed formula, here written out again.
 TEST(CausalityObserver, IsTheStatedModel) {
-  CausalityParameters parameters = shipped();
-  parameters.threshold_sd_ms = 0.0;
-  parameters.intercept_sd = 0.0;
-  VirtualClock clock;
-  const CausalityObserver observer(parameters, {1, "S01", clock, clock});
+  Someone someone(observer_with("causality", {{"threshold_sd_ms", 0.0}, {"intercept_sd", 0.0}}));
   // η = −2.2 + 4.5 Φ((110 − 110)/45) = 0.05; P(1) = .98 / (1 + e^(1.05)) + .02/3
-  EXPECT_NEAR(observer.rating_probabilities(110.0)[0], 0.98 / (1.0 + std::exp(1.05)) + 0.02 / 3.0,
-              1e-12);
+  EXPECT_NEAR(someone.ratings(110.0)[0], 0.98 / (1.0 + std::exp(1.05)) + 0.02 / 3.0, 1e-12);
 }
 
 TEST(CausalityObserver, MeanRatingsComeNearTheThesis) {
-  VirtualClock clock;
+  const ObserverFile file = shipped_observer("causality");
   constexpr int kParticipants = 400;
   double mean[3] = {};
   for (int i = 0; i < kParticipants; ++i) {
-    const CausalityObserver observer(shipped(), {1, "S" + std::to_string(i), clock, clock});
+    Someone someone(file, "S" + std::to_string(i));
     for (int d = 0; d < 3; ++d) {
       const double delay_ms[] = {0.0, 100.0, 300.0};
-      mean[d] += mean_rating(observer, delay_ms[d]) / kParticipants;
+      const auto p = someone.ratings(delay_ms[d]);
+      mean[d] += (p[0] + 2.0 * p[1] + 3.0 * p[2]) / kParticipants;
     }
   }
   // 1.3, 1.9 and 2.7 are stated to one digit as "about".
@@ -69,14 +70,10 @@ TEST(CausalityObserver, MeanRatingsComeNearTheThesis) {
 
 TEST(CausalityObserver, AnswersFollowFromSeedAndPseudonym) {
   const auto ratings = [](std::uint64_t seed, const std::string& name) {
-    VirtualClock clock;
-    CausalityObserver observer(shipped(), {seed, name, clock, clock});
-    Page page;
-    page.layout = Page::Layout::kScale;
-    page.response = "rating";
+    Someone someone(shipped_observer("causality"), name, seed);
     std::string text;
     for (int i = 0; i < 60; ++i) {
-      text += std::to_string(observer.ask(page).choice);
+      text += std::to_string(someone.self->ask(scale()).choice);
     }
     return text;
   };
@@ -86,43 +83,29 @@ TEST(CausalityObserver, AnswersFollowFromSeedAndPseudonym) {
 }
 
 TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
-  VirtualClock clock;
-  CausalityParameters parameters = shipped();
-  parameters.lapse_rate = 0.0;
-  parameters.effect = 1e3;  // certain to rate 3 when the freeze is seen, 1 when it is not
-  parameters.baseline = -500.0;
-  CausalityObserver observer(parameters, {1, "S01", clock, clock});
-  Page page;
-  page.layout = Page::Layout::kScale;
-  page.response = "rating";
-  AttemptRecord shown;
-  shown.collisions.resize(1);
-  const StagedScene scene{World({}, {}, {}), {}, {}};
-  observer.witnessed(shown, scene);
-  EXPECT_EQ(observer.ask(page).choice, 0U);
-  shown.collisions[0].report.imposed_hold_s = 1.0;
-  observer.witnessed(shown, scene);
-  EXPECT_EQ(observer.ask(page).choice, 2U);
+  // Certain to rate 3 when the freeze is seen, 1 when it is not.
+  Someone someone(
+      observer_with("causality", {{"lapse_rate", 0.0}, {"effect", 1e3}, {"baseline", -500.0}}));
+  someone.self->witnessed(freeze(0.0), two_balls());
+  EXPECT_EQ(someone.self->ask(scale()).choice, 0U);
+  someone.self->witnessed(freeze(1000.0), two_balls());
+  EXPECT_EQ(someone.self->ask(scale()).choice, 2U);
 }
 
 /// Choices on sixty scales of `points`, of which `best` is the good end.
-std::vector<std::size_t> choices(const CausalityParameters& parameters, std::size_t best) {
-  VirtualClock clock;
-  CausalityObserver observer(parameters, {1, "S01", clock, clock});
-  Page page;
-  page.layout = Page::Layout::kScale;
-  page.response = "rating";
-  page.best_choice = best;
+std::vector<std::size_t> choices(const ObserverFile& file, std::size_t best) {
+  Someone someone(file);
   std::vector<std::size_t> choices(60);
-  std::generate(choices.begin(), choices.end(), [&] { return observer.ask(page).choice; });
+  std::generate(choices.begin(), choices.end(),
+                [&] { return someone.self->ask(scale(best)).choice; });
   return choices;
 }
 
 TEST(RatingObserver, CountsFromTheGoodEndWhicheverEndThatIs) {
-  CausalityParameters parameters = shipped();
-  parameters.cuts = {-3.0, -2.0, -1.5, 0.0};
-  const auto lowest_best = choices(parameters, 0);
-  const auto highest_best = choices(parameters, 4);
+  const ObserverFile file = observer_with(
+      "causality", {{"cut_1_2", -3.0}, {"cut_2_3", -2.0}, {"cut_3_4", -1.5}, {"cut_4_5", 0.0}});
+  const auto lowest_best = choices(file, 0);
+  const auto highest_best = choices(file, 4);
   for (std::size_t i = 0; i < lowest_best.size(); ++i) {
     EXPECT_EQ(highest_best[i], 4 - lowest_best[i]);
   }
@@ -133,13 +116,16 @@ TEST(RatingObserver, CountsFromTheGoodEndWhicheverEndThatIs) {
 // The model on more points, written out again: P(disbelief ≤ k) = logistic(cut_k − η), η =
 // baseline.
 TEST(RatingObserver, HasOnePointMoreThanCuts) {
-  CausalityParameters parameters = shipped();
-  parameters.threshold_sd_ms = parameters.intercept_sd = parameters.lapse_rate = 0.0;
-  parameters.effect = 0.0;
-  parameters.baseline = 0.5;
-  parameters.cuts = {-1.0, 0.0, 1.0, 2.0};
-  VirtualClock clock;
-  const auto p = CausalityObserver(parameters, {1, "S01", clock, clock}).probabilities(0.7);
+  const Someone someone(observer_with("causality", {{"threshold_sd_ms", 0.0},
+                                                    {"intercept_sd", 0.0},
+                                                    {"lapse_rate", 0.0},
+                                                    {"effect", 0.0},
+                                                    {"baseline", 0.5},
+                                                    {"cut_1_2", -1.0},
+                                                    {"cut_2_3", 0.0},
+                                                    {"cut_3_4", 1.0},
+                                                    {"cut_4_5", 2.0}}));
+  const auto p = someone.self->probabilities(0.7);
   const auto logistic = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
   ASSERT_EQ(p.size(), 5U);
   EXPECT_NEAR(p[0], logistic(-1.5), 1e-12);
@@ -150,7 +136,7 @@ TEST(RatingObserver, HasOnePointMoreThanCuts) {
 // Recorded studies were answered by these draws: a change here would make them irreproducible.
 TEST(RatingObserver, AnswersAsItDidWhenItWasFirstReleased) {
   std::string text;
-  for (const std::size_t choice : choices(shipped(), 0)) {
+  for (const std::size_t choice : choices(shipped_observer("causality"), 0)) {
     text += std::to_string(choice + 1);
   }
   EXPECT_EQ(text, "111121111121111111111111211111111111111211111111111111111131");
@@ -163,20 +149,24 @@ TEST(GapObserver, VisibleFrequencyIsAsPublished) {
   EXPECT_EQ(visible_frequency_at(200.0), 0.1);
 }
 
+/// How clearly one gap is seen, of two bodies.
+double seen_gap(const ObserverFile& file, double visible_arcmin, double eccentricity_deg,
+                double speed_deg_s) {
+  return file.kind->answers.seen(*file.parameters, {},
+                                 {2.0, visible_arcmin, eccentricity_deg, speed_deg_s});
+}
+
 TEST(GapObserver, HalfOfGapsAtTheThresholdAreSeenAndLargerOnesMore) {
-  GapParameters parameters = shipped_gap();
-  parameters.guess_rate = parameters.miss_rate = 0.0;
-  VirtualClock clock;
-  const GapObserver observer(parameters, {1, "S01", clock, clock});
-  EXPECT_NEAR(observer.seen_gap(parameters.threshold_arcmin, 0.0, 0.5), 0.5, 1e-12);
-  EXPECT_GT(observer.seen_gap(20.0, 0.0, 0.5), observer.seen_gap(10.0, 0.0, 0.5));
+  const ObserverFile file = observer_with("gap", {{"guess_rate", 0.0}, {"miss_rate", 0.0}});
+  const double threshold_arcmin = number_in(file.document, "threshold_arcmin");
+  EXPECT_NEAR(seen_gap(file, threshold_arcmin, 0.0, 0.5), 0.5, 1e-12);
+  EXPECT_GT(seen_gap(file, 20.0, 0.0, 0.5), seen_gap(file, 10.0, 0.0, 0.5));
 }
 
 TEST(GapObserver, SpeedAndEccentricityHideAGap) {
-  VirtualClock clock;
-  const GapObserver observer(shipped_gap(), {1, "S01", clock, clock});
-  EXPECT_LT(observer.seen_gap(15.0, 0.0, 30.0), observer.seen_gap(15.0, 0.0, 10.0));
-  EXPECT_LT(observer.seen_gap(15.0, 5.0, 10.0), observer.seen_gap(15.0, 0.0, 10.0));
+  const ObserverFile file = shipped_observer("gap");
+  EXPECT_LT(seen_gap(file, 15.0, 0.0, 30.0), seen_gap(file, 15.0, 0.0, 10.0));
+  EXPECT_LT(seen_gap(file, 15.0, 5.0, 10.0), seen_gap(file, 15.0, 0.0, 10.0));
 }
 
 }  // namespace impetus::observer_test

@@ -62,7 +62,7 @@ class PowerChunkTest : public testing::Test {
     PowerQuestion question = chunked_question();
     PowerRequest request = chunked_request(number);
     change(question, request);
-    return refusal([&] { read_chunk(folder_.path(), question, request); });
+    return refusal([&] { power_sweep(folder_.path(), question, request).read(number); });
   }
 
   [[nodiscard]] std::string refused(std::int64_t number) const {
@@ -70,8 +70,11 @@ class PowerChunkTest : public testing::Test {
   }
 
   [[nodiscard]] std::string all_refused() const {
-    return refusal(
-        [this] { read_all_chunks(folder_.path(), chunked_question(), chunked_request()); });
+    return refusal([this] { sweep().read_all([](const SweptChunk& /*taken*/) {}); });
+  }
+
+  [[nodiscard]] Sweep sweep() const {
+    return power_sweep(folder_.path(), chunked_question(), chunked_request());
   }
 
   void put_all() const {
@@ -110,10 +113,10 @@ void expect_same(const std::vector<TestedStudy>& read, const std::vector<TestedS
 
 TEST_F(PowerChunkTest, IsReadBitForBitAsItWasWritten) {
   put_all();
-  const PowerChunk read = read_chunk(folder_.path(), chunked_question(), chunked_request(2));
+  const SweptChunk read = sweep().read(2);
   EXPECT_EQ(read.build, "build A");
   EXPECT_EQ(read.took_s, 12.5);
-  expect_same(read.studies, computed(2).studies);
+  expect_same(tested_studies(read), computed(2).studies);
 }
 
 TEST_F(PowerChunkTest, AllOfThemAreTheWholeInTheLedgerOnceHoweverOftenTheyAreAdded) {
@@ -128,10 +131,7 @@ TEST_F(PowerChunkTest, AllOfThemAreTheWholeInTheLedgerOnceHoweverOftenTheyAreAdd
   }
   PowerLedger ledger(folder_ / "power.sqlite", chunked_question());
   for (int time = 0; time < 2; ++time) {
-    for (const PowerChunk& chunk :
-         read_all_chunks(folder_.path(), chunked_question(), chunked_request())) {
-      ledger.add(chunk.studies);
-    }
+    sweep().read_all([&](const SweptChunk& chunk) { ledger.add(tested_studies(chunk)); });
     expect_same(ledger.studies(), expected);
   }
   EXPECT_EQ(ledger.missing(whole), 0);
@@ -217,8 +217,7 @@ TEST_F(PowerChunkTest, OfTwoBuildsAreNotMixed) {
                                ": expected a chunk of the build of the others, build A, got one of "
                                "build B; remove it and compute it again");
   const auto begun_by = [&](const char* build) {
-    return refusal(
-        [&] { require_build(folder_.path(), chunked_question(), chunked_request(3), build); });
+    return refusal([&] { sweep().require_build(build); });
   };
   EXPECT_EQ(begun_by("build A"), "accepted");
   EXPECT_EQ(begun_by("build C"), file(1).string() +

@@ -38,6 +38,9 @@ class RecoveryTest : public testing::Test {
     std::filesystem::create_directories(chunk_folder(folder_.path()));
     write_chunk(folder_.path(), done);
   }
+  [[nodiscard]] Sweep sweep(std::int64_t chunks) const {
+    return recovery_sweep(folder_.path(), question(), chunks);
+  }
   [[nodiscard]] std::string file(int number) const {
     return chunk_file(folder_.path(), number).string();
   }
@@ -50,7 +53,7 @@ TEST_F(RecoveryTest, IsTheSameHoweverManyChunksThereWere) {
     for (std::int64_t number = 1; number <= chunks; ++number) {
       put({number, chunks});
     }
-    const std::vector<RecoveredStudy> all = read_all_chunks(folder_.path(), question(), chunks);
+    const std::vector<RecoveredStudy> all = read_studies(sweep(chunks));
     ASSERT_EQ(all.size(), 10U);
     for (std::int64_t number = 1; number <= 10; ++number) {
       EXPECT_EQ(all[static_cast<std::size_t>(number - 1)], study(number));
@@ -64,7 +67,7 @@ TEST_F(RecoveryTest, RefusesWhatDoesNotBelongTogether) {
   const auto refused = [&](auto change) {
     RecoveryQuestion other = question();
     change(other);
-    return refusal([&] { read_chunk(folder_.path(), other, {1, 2}); });
+    return refusal([&] { recovery_sweep(folder_.path(), other, 2).read(1); });
   };
   const std::string same = file(1) + ": expected a chunk of the same question, got one of another ";
   EXPECT_EQ(refused([](RecoveryQuestion& q) { q.protocol_hash = "f"; }),
@@ -74,21 +77,18 @@ TEST_F(RecoveryTest, RefusesWhatDoesNotBelongTogether) {
   EXPECT_EQ(refused([](RecoveryQuestion& q) { q.participants = 9; }),
             same + "number of participants; give another --out");
   EXPECT_EQ(refused([](RecoveryQuestion& q) { q.seed = 4; }), same + "seed; give another --out");
-  EXPECT_EQ(refusal([&] {
-              read_chunk(folder_.path(), question(), {1, 5});
-            }),
-            same + "number of chunks; give another --out");
-  EXPECT_EQ(refusal([&] { require_build(folder_.path(), question(), 2, "build B"); }),
+  EXPECT_EQ(refusal([&] { sweep(5).read(1); }), same + "number of chunks; give another --out");
+  EXPECT_EQ(refusal([&] { sweep(2).require_build("build B"); }),
             file(1) +
                 ": expected a chunk of this build, build B, got one of build A; go on with "
                 "that build, or give another --out");
   put({2, 2}, "build B");
-  EXPECT_EQ(refusal([&] { read_all_chunks(folder_.path(), question(), 2); }),
+  EXPECT_EQ(refusal([&] { read_studies(sweep(2)); }),
             file(2) +
                 ": expected a chunk of the build of the others, build A, got one of build B; "
                 "remove it and compute it again");
   std::filesystem::remove(file(2));
-  EXPECT_EQ(refusal([&] { read_all_chunks(folder_.path(), question(), 2); }),
+  EXPECT_EQ(refusal([&] { read_studies(sweep(2)); }),
             chunk_folder(folder_.path()).string() +
                 ": expected all 2 chunks, got 1 of them, without 2; --list prints the command of "
                 "each");
@@ -98,9 +98,7 @@ TEST_F(RecoveryTest, RefusesWhatIsBroken) {
   put({1, 1});
   std::string text = text_of(file(1));
   folder_.write("chunks/chunk-0001.json", text.substr(0, text.size() / 2));
-  const auto refused = [&] {
-    return refusal([&] { read_chunk(folder_.path(), question(), {1, 1}); });
-  };
+  const auto refused = [&] { return refusal([&] { sweep(1).read(1); }); };
   EXPECT_EQ(refused(), file(1) +
                            ": expected a whole chunk, got one that was cut short; remove it "
                            "and compute it again");

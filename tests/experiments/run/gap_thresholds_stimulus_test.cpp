@@ -171,10 +171,8 @@ Fitted fitted(const std::vector<std::pair<double, bool>>& answers, const GapPara
 
 TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
   const ObserverFile file = load_observer("gap-thresholds", source_file("protocols/gap.json"));
-  auto planted = static_cast<const GapParameters&>(*file.parameters);
-  planted.threshold_sd_log10 = 0.0;
-  VirtualClock clock;
-  const GapObserver observer(planted, {1, "S01", clock, clock}, "gap-thresholds");
+  const auto& planted = static_cast<const GapParameters&>(*file.parameters);
+  const AnswerModel& model = file.kind->answers;
   RandomStream stream(20'020, "answers");
   const std::vector<double> gaps{5, 8, 13, 20, 32, 50, 80, 125, 200, 250};
   for (const double above_deg : {0.0, 8.0}) {
@@ -183,13 +181,17 @@ TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
       double planted_arcmin = 0.0;
       for (const double gap_arcmin : gaps) {
         const Played played(shells(gap_arcmin, above_deg, distractors));
-        const CollisionRecord& collision = played.collisions.at(0);
-        const double speed_deg_s = collision.report.approach_m_s / metres_of(1.0);
-        const double e_deg = collision.eccentricity_deg;
-        const std::size_t bodies = played.live.scene().looks.size();
-        planted_arcmin = observer.threshold_arcmin(e_deg, speed_deg_s, bodies);
-        const double seen =
-            observer.seen_gap(played.truth.visible_arcmin(), e_deg, speed_deg_s, bodies);
+        AttemptRecord shown;
+        shown.collisions = played.collisions;
+        Percept percept = model.percept(planted, shown, played.live.scene());
+        ASSERT_EQ(percept.size(), 4U) << "of one collision";
+        EXPECT_EQ(percept[1], played.truth.visible_arcmin());
+        const double seen = model.seen(planted, {}, percept);
+        planted_arcmin = gap_threshold_arcmin(planted.threshold_arcmin, percept[2], percept[3]) *
+                         (1.0 + planted.crowding_per_body * distractors);
+        percept[1] = planted_arcmin;
+        EXPECT_NEAR(model.seen(planted, {}, percept),
+                    0.5 * (1.0 + planted.guess_rate - planted.miss_rate), 1e-12);
         for (int trial = 0; trial < 20; ++trial) {
           answers.emplace_back(gap_arcmin, stream.uniform() < seen);
         }

@@ -26,9 +26,7 @@ std::vector<StagedScene> clips() {
 TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
   constexpr int kStudies = 200;
   constexpr int kPeople = 8;
-  ObserverFile file = shipped_observer("two-balls");
-  file.document.value["parameters"]["runs"]["value"] = 50;
-  file.parameters = file.kind->read(file.document);
+  const ObserverFile file = observer_with("two-balls", {{"runs", 50}});
   const std::vector<StagedScene> scenes = clips();
   std::vector<Percept> percepts;
   for (const StagedScene& scene : scenes) {

@@ -32,10 +32,8 @@ std::vector<StagedScene> launches() {
 }
 
 ObserverFile who_sees_level(int level) {
-  ObserverFile file = shipped_observer("odd-shapes");
-  file.document.value["parameters"]["level"]["value"] = level;
+  ObserverFile file = observer_with("odd-shapes", {{"level", 1.0 * level}});
   file.document.name = "level " + std::to_string(level);
-  file.parameters = file.kind->read(file.document);
   return file;
 }
 
