@@ -27,7 +27,6 @@ main <- function(words) {
   say_progress("wrote report.html, figures/ and tables/")
 }
 
-words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space
-script <- sub("^--file=", "", grep("^--file=", words, value = TRUE)[1])
-source(file.path(dirname(script), "R/command_line.R"))
+script <- sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE)[1])
+source(file.path(dirname(gsub("~+~", " ", script, fixed = TRUE)), "R/command_line.R"))
 run_command(script, main)

@@ -145,14 +145,10 @@ main <- function(words) {
     refuse("expected the package ggplot2, which is missing (apt-get install r-cran-ggplot2)")
   }
   figure <- trade_figure(read_trade(words[1]))
-  stem <- file.path(dirname(words[1]), "trade")
-  inch <- 1 / 25.4
-  grDevices::svg(paste0(stem, ".svg"), kWidthMm * inch, kHeightMm * inch)
-  print(figure)
-  grDevices::dev.off()
-  grDevices::cairo_pdf(paste0(stem, ".pdf"), kWidthMm * inch, kHeightMm * inch)
-  print(figure)
-  invisible(grDevices::dev.off())
+  for (device in c("svg", "pdf")) {
+    ggplot2::ggsave(paste0("trade.", device), figure, switch(device, svg = grDevices::svg,
+      pdf = grDevices::cairo_pdf), dirname(words[1]), width = kWidthMm, height = kHeightMm, units = "mm")
+  }
 }
 
 if (sys.nframe() == 0) main(commandArgs(trailingOnly = TRUE))

@@ -10,18 +10,13 @@
 
 kAccuracyAxis <- "Share of right answers"
 
-# Reads what the command line names; refuses before anything is written.
-open_accuracy_study <- function(study, words) {
-  arguments <- study_arguments(study, words, c("RSQLite", "afex", "ggplot2"))
-  read <- read_trials(arguments$studies, study$protocol, "trial_response",
+open_accuracy_study <- function(study, paths) {
+  read <- read_trials(paths, study$protocol, "trial_response",
     "main trials that were answered right or wrong",
     where = paste(answered_where(kThresholdKinds), "AND correct IS NOT NULL"))
-  read <- keep_people_apart(with_factor_columns(read, study$factors))
-  prepare_folder(arguments$out)
-  c(read, out = arguments$out, study[c("title", "published")])
+  c(keep_people_apart(with_factor_columns(read, study$factors)), study[c("title", "published")])
 }
 
-# Tests, writes and says everything.
 report_accuracy_study <- function(study) {
   factor <- study$factors[[1]]
   trials <- study$trials
@@ -29,10 +24,12 @@ report_accuracy_study <- function(study) {
   rows <- accuracy_rows(trials, factor, study$published)
   tests <- combine_outcomes(if (nlevels(droplevels(trials[[factor]])) > 1)
     repeated_measures_tests(trials, factor, "an answer"))
-  figures <- write_figure(function() ggplot2::ggplotGrob(accuracy_figure(trials, factor)),
-    output_path(study, ""))
+  figure <- factor_plot(trials, factor, "correct") + ggplot2::scale_y_continuous(kAccuracyAxis) +
+    ggplot2::coord_cartesian(ylim = c(0, 1)) + column_theme()
+  caption <- factor_figure_caption(study, factor, list(of = "correct", title = kAccuracyAxis))
   write_outputs(study, tests, paste(c(accuracy_words(rows, factor), anova_words(tests, factor)),
-    collapse = " "), study_sentences(study), accuracy_caption(trials, factor, study), NULL, figures,
+    collapse = " "), study_sentences(study), caption, NULL,
+    write_figure(function() ggplot2::ggplotGrob(figure), output_path(study, "")),
     tables = list(accuracy = rows))
 }
 
@@ -55,14 +52,4 @@ accuracy_words <- function(rows, factor) {
   sprintf("%s by %s: %s (Student's 95 %% intervals over participants).", kAccuracyAxis,
     name_and_unit(factor), paste0(rows$level, ": ", two(rows$accuracy), interval, beside,
       collapse = "; "))
-}
-
-accuracy_figure <- function(trials, factor) {
-  factor_plot(trials, factor, "correct") + ggplot2::scale_y_continuous(kAccuracyAxis) +
-    ggplot2::coord_cartesian(ylim = c(0, 1)) + column_theme()
-}
-
-accuracy_caption <- function(trials, factor, study) {
-  factor_figure_caption(list(trials = trials, all_simulated = study$all_simulated), factor,
-    list(of = "correct", title = kAccuracyAxis))
 }

@@ -24,14 +24,16 @@ with_click_times <- function(study) {
   study
 }
 
-# Collisions of one sort in a trial that follow each other within merge_within_ms, as one event at
-# the time of the first: row, time_s, bad. `study` has trials and collisions.
+# Collisions of one sort in a trial that follow each other within less than merge_within_ms, as one
+# event at the time of the first, so a quick series is one: row, time_s, bad. Without merge_within_ms
+# every collision is one. `study` has trials and collisions.
 click_events <- function(study) {
   known <- study$collisions[!is.na(study$collisions$time_s), ]
   known <- known[order(known$row, known$bad, known$time_s), c("row", "time_s", "bad")]
   within_s <- study$trials$merge_within_ms[known$row] / 1000
   within_s[is.na(within_s)] <- 0
   same <- c(FALSE, diff(known$row) == 0 & diff(known$bad) == 0)
+  # 1 ns: the clock's own grain, so that a distance of exactly `within_s` parts two events.
   follows <- same & c(FALSE, diff(known$time_s) < within_s[-1] - 1e-9)
   known[!follows, ]
 }

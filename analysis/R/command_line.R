@@ -3,8 +3,10 @@
 # SPDX-License-Identifier: MIT
 
 # Runs `main(words)` of the command at `script` with its words; whatever stops it becomes one
-# sentence on stderr and exit status 2. The code is the folder R/ beside the script.
+# sentence on stderr and exit status 2. The code is the folder R/ beside the script, whose path is that
+# of commandArgs(), where Rscript writes a space as "~+~".
 run_command <- function(script, main) {
+  script <- gsub("~+~", " ", script, fixed = TRUE)
   # UTF-8 letters and one order of sorting, whatever the machine is set to.
   suppressWarnings(Sys.setlocale("LC_ALL", "C.UTF-8"))
   options(impetus.analysis = dirname(script))

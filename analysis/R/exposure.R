@@ -29,25 +29,17 @@ kExposureMeasures <- c(
   covered_share = "share of the enclosure inside the region"
 )
 
-# How many events these times are: one that follows another of its sort within less than `within_s`
-# belongs to it, so a quick series is one event. NA where a time is not known.
-event_count <- function(time_s, within_s) {
-  if (anyNA(time_s)) return(NA_integer_)
-  # 1 ns: the clock's own grain, so that a distance of exactly `within_s` parts two events.
-  as.integer(length(time_s) > 0) + sum(diff(sort(time_s)) > within_s - 1e-9)
-}
-
-# The trials with bad_events and good_events. Without merge_within_ms every collision is an event.
+# The trials with bad_events and good_events, how many click_events() of a sort each has. NA where the
+# time of one of its sort is not known.
 with_events <- function(study) {
-  trials <- study$trials
-  within_s <- ifelse(is.na(trials$merge_within_ms), 0, trials$merge_within_ms / 1000)
-  count <- function(chosen) {
-    times <- split(study$collisions$time_s[chosen],
-      factor(study$collisions$row[chosen], seq_len(nrow(trials))))
-    unname(mapply(event_count, times, within_s))
+  events <- click_events(study)
+  timeless <- study$collisions[is.na(study$collisions$time_s), ]
+  count <- function(bad) {
+    counts <- tabulate(events$row[events$bad == bad], nrow(study$trials))
+    replace(counts, timeless$row[timeless$bad == bad], NA)
   }
-  study$trials$bad_events <- count(study$collisions$bad)
-  study$trials$good_events <- count(!study$collisions$bad)
+  study$trials$bad_events <- count(TRUE)
+  study$trials$good_events <- count(FALSE)
   study
 }
 

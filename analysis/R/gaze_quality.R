@@ -20,36 +20,36 @@
 kGoodLatencyMs <- 60
 kWarnLatencyMs <- 70
 
+# `row(who, rows_of)` of each participant; rows_of(table) are those of that one.
 for_each_participant <- function(study, row) {
-  each_row(sort(unique(as.character(study$trials$participant))), row)
-}
-
-gaze_quality <- function(study) {
-  for_each_participant(study, function(who) {
-    of <- function(rows) rows[as.character(rows$participant) == who, ]
-    gaze_quality_of(of(study$trials), of(study$gaze))
+  each_row(sort(unique(as.character(study$trials$participant))), function(who) {
+    row(who, function(table) table[as.character(table$participant) == who, ])
   })
 }
 
-# One participant: the trials, the samples counted by trial.
-gaze_quality_of <- function(trials, gaze) {
-  source <- unique(trials$gaze_source[!is.na(trials$gaze_source)])
-  samples <- sum(gaze$samples)
-  share <- function(count) if (samples > 0) sum(count) / samples else NA_real_
-  latency_ms <- trials$gaze_latency_p95_ms[!is.na(trials$gaze_latency_p95_ms)]
-  # n samples span n - 1 intervals.
-  intervals <- sum(gaze$samples - 1)
-  data.frame(participant = as.character(trials$participant[1]),
-    gaze_source = if (length(source) > 0) paste(sort(source), collapse = " and ") else "none",
-    trials = nrow(trials), trials_followed = sum(!is.na(trials$gaze_source)), samples = samples,
-    samples_per_s = if (intervals > 0) intervals / sum(gaze$span_s) else NA_real_,
-    blink_share = share(gaze$blink), off_screen_share = share(gaze$off_screen),
-    lost_share = share(gaze$lost), trials_timed = length(latency_ms),
-    latency_median_ms = if (length(latency_ms) > 0) stats::median(latency_ms) else NA_real_,
-    latency_largest_ms = if (length(latency_ms) > 0) max(latency_ms) else NA_real_,
-    trials_over_70_ms = sum(latency_ms > kWarnLatencyMs),
-    trials_late = sum(trials$gaze_late))
+gaze_quality <- function(study) {
+  for_each_participant(study, function(who, rows_of) {
+    trials <- rows_of(study$trials)
+    gaze <- rows_of(study$gaze)  # the samples counted by trial
+    source <- unique(trials$gaze_source[!is.na(trials$gaze_source)])
+    samples <- sum(gaze$samples)
+    share <- function(count) if (samples > 0) sum(count) / samples else NA_real_
+    latency_ms <- trials$gaze_latency_p95_ms[!is.na(trials$gaze_latency_p95_ms)]
+    # n samples span n - 1 intervals.
+    intervals <- sum(gaze$samples - 1)
+    data.frame(participant = who,
+      gaze_source = if (length(source) > 0) paste(sort(source), collapse = " and ") else "none",
+      trials = nrow(trials), trials_followed = sum(!is.na(trials$gaze_source)), samples = samples,
+      samples_per_s = if (intervals > 0) intervals / sum(gaze$span_s) else NA_real_,
+      blink_share = share(gaze$blink), off_screen_share = share(gaze$off_screen),
+      lost_share = share(gaze$lost), trials_timed = length(latency_ms),
+      latency_median_ms = as.numeric(stats::median(latency_ms)),
+      latency_largest_ms = largest_known(latency_ms),
+      trials_over_70_ms = sum(latency_ms > kWarnLatencyMs), trials_late = sum(trials$gaze_late))
+  })
 }
+
+largest_known <- function(x) if (all(is.na(x))) NA_real_ else max(x, na.rm = TRUE)
 
 # What a reader must know of the gaze before believing a result. `without`: where the results stand
 # without the trials that were marked late.
@@ -101,27 +101,22 @@ gaze_quality_lines <- function(quality) {
 }
 
 calibration_quality <- function(study) {
-  for_each_participant(study, function(who) {
-    calibration_quality_of(who, study$calibrations[study$calibrations$participant == who, ])
+  for_each_participant(study, function(who, rows_of) {
+    rows <- rows_of(study$calibrations)
+    last <- function(x) if (length(x) > 0) x[length(x)] else NA_real_
+    calibrations <- rows[rows$kind == "calibration", ]
+    validations <- rows[rows$kind == "validation", ]
+    drifts <- rows[rows$kind == "drift check", ]
+    data.frame(participant = who, calibrations = nrow(calibrations),
+      accuracy_before_deg = last(calibrations$accuracy_deg),
+      shift_mm = last(1000 * sqrt(calibrations$correction_x0_m^2 + calibrations$correction_y0_m^2)),
+      stretch = last(pmax(abs(calibrations$correction_xx - 1), abs(calibrations$correction_yy - 1))),
+      validation_accuracy_deg = last(validations$accuracy_deg),
+      validation_worst_deg = last(validations$worst_accuracy_deg),
+      validation_precision_rms_deg = last(validations$precision_rms_deg),
+      drift_checks = nrow(drifts), drift_largest_deg = largest_known(drifts$accuracy_deg),
+      not_passed = sum(rows$passed == 0, na.rm = TRUE))
   })
-}
-
-calibration_quality_of <- function(who, rows) {
-  of <- function(kind) rows[rows$kind == kind, ]
-  last <- function(x) if (length(x) > 0) x[length(x)] else NA_real_
-  largest <- function(x) if (all(is.na(x))) NA_real_ else max(x, na.rm = TRUE)
-  calibrations <- of("calibration")
-  validations <- of("validation")
-  drifts <- of("drift check")
-  data.frame(participant = who, calibrations = nrow(calibrations),
-    accuracy_before_deg = last(calibrations$accuracy_deg),
-    shift_mm = last(1000 * sqrt(calibrations$correction_x0_m^2 + calibrations$correction_y0_m^2)),
-    stretch = last(pmax(abs(calibrations$correction_xx - 1), abs(calibrations$correction_yy - 1))),
-    validation_accuracy_deg = last(validations$accuracy_deg),
-    validation_worst_deg = last(validations$worst_accuracy_deg),
-    validation_precision_rms_deg = last(validations$precision_rms_deg),
-    drift_checks = nrow(drifts), drift_largest_deg = largest(drifts$accuracy_deg),
-    not_passed = sum(rows$passed == 0, na.rm = TRUE))
 }
 
 # Nothing is said of a study without any calibration, as one with the mouse may be.

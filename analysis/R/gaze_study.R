@@ -16,11 +16,10 @@
 # left out of the trials is left out everywhere.
 # SPDX-License-Identifier: MIT
 
-# Reads what the command line names, as open_rating_study does, and adds what only this study has.
-# The trials' kinds have the order of the study's. The two factors become the columns scheduling and
-# bodies, whatever unit their names carry.
-open_gaze_study <- function(study, words) {
-  study <- open_rating_study(study, words)
+# Adds to a rating study what only this one has. The trials' kinds have the order of the study's. The
+# two factors become the columns scheduling and bodies, whatever unit their names carry.
+open_gaze_study <- function(study, paths) {
+  study <- open_rating_study(study, paths)
   study$trials[names(study$factors)] <- study$trials[study$factors]
   study$factors <- stats::setNames(nm = names(study$factors))
   study <- with_clicks(with_kinds_in_order(study))

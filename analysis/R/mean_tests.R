@@ -11,6 +11,13 @@ kFriedmanFamily <- "Friedman"
 kEquivalenceFamily <- "equivalence"
 kEquivalenceMargin <- 0.15  # rating points, of a scale from 1 to 3
 
+# ANOVA, Friedman and, where there is a `margin`, equivalence, of participants' means of `rating`.
+tests_of_means <- function(trials, factors, noun, margin) {
+  say_progress(kMeansStep)
+  all_outcomes(repeated_measures_tests(trials, factors, noun), friedman_tests(trials, factors, noun),
+    if (!is.null(margin)) equivalence_tests(trials, factors, margin))
+}
+
 # `noun`: what a cell has from everybody who is in, such as "a rating".
 left_out_remark <- function(test, count, noun = "a rating") {
   if (count == 0) return(character())

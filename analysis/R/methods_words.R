@@ -120,8 +120,8 @@ analysis_words <- function(parts) {
 }
 
 package_versions <- function(kinds) {
-  packages <- unique(c(unlist(list(rating = c("ordinal", "afex"), answer = c("lme4", "afex"),
-    threshold = c("lme4", "afex"), mark = "afex", press = "afex", clicks = c("glmmTMB", "lme4", "afex"))[kinds]), "ggplot2"))
+  models <- list(rating = "ordinal", answer = "lme4", threshold = "lme4", clicks = c("glmmTMB", "lme4"))
+  packages <- unique(c(unlist(lapply(kinds, function(kind) c(models[[kind]], "afex"))), "ggplot2"))
   packages <- packages[vapply(packages, requireNamespace, NA, quietly = TRUE)]
   paste(packages, vapply(packages, function(p) as.character(utils::packageVersion(p)), ""))
 }

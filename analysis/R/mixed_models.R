@@ -29,7 +29,10 @@ fit_models <- function(trials, terms, differing, tested = terms, response = "rat
   random <- random_parts(trials, differing)
   if (has_slope(random[1])) trials$slope <- slope_values(trials[[differing]])
   remarks <- character()
-  for (attempt in attempts_of(of$distributions, random)) {
+  # Every random part with the first distribution, then with the next.
+  attempts <- expand.grid(random = random, distribution = of$distributions, stringsAsFactors = FALSE)
+  for (i in seq_len(nrow(attempts))) {
+    attempt <- unlist(attempts[i, ])
     full <- of$fit(trials, terms, attempt, NULL)
     fits <- c(list(full), if (is.null(full$failure)) lapply(tested, function(term) {
       of$fit(trials, setdiff(terms, term), attempt, full)
@@ -44,13 +47,6 @@ fit_models <- function(trials, terms, differing, tested = terms, response = "rat
       random_part(attempt[["random"]]), failure))
   }
   list(failure = failure, remarks = c(remarks, sprintf("No %s is reported.", kind)))
-}
-
-# Every random part with the first distribution, then with the next.
-attempts_of <- function(distributions, random) {
-  unlist(lapply(distributions, function(distribution) {
-    lapply(random, function(part) c(random = part, distribution = distribution))
-  }), recursive = FALSE)
 }
 
 # The random parts to be tried for a test of `differing`, the fullest first.
@@ -84,7 +80,9 @@ random_part <- function(words) {
 
 # A factor's numbers, or 1 and 2 for two words; standardised.
 slope_values <- function(x) {
-  as.numeric(scale(if (is.factor(x)) position_of(levels(x))[x] else x))
+  if (!is.factor(x)) return(as.numeric(scale(x)))
+  number <- suppressWarnings(as.numeric(levels(x)))
+  as.numeric(scale((if (anyNA(number)) seq_along(number) else number)[x]))
 }
 
 # The rows of a fitted family: a likelihood-ratio test of each tested term, then its ratios.

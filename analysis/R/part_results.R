@@ -16,8 +16,13 @@ results_of_part <- function(part, everything = NULL) {
     factor_tests(part$trials, unname(part$factors), part$response)
   }
   clicked <- clicked_events(part)
-  tests <- combine_outcomes(outcome(remarks = none), constant_remarks(part$constant), fitted,
-    if (tested) tests_of_means(part, measure), clicked$tests)
+  trials <- part$trials
+  trials$rating <- trials[[measure$of]]  # what tests of participants' means go by
+  means <- if (tested) tests_of_means(trials, unname(part$factors),
+    if (is.null(part$scale)) "a trial" else "a rating",
+    if (!is.null(part$scale)) equivalence_margin(part$scale))
+  tests <- combine_outcomes(outcome(remarks = none), constant_remarks(part$constant), fitted, means,
+    clicked$tests)
   list(part = part, tests = tests,
     paragraphs = c(lapply(unname(part$factors), factor_paragraph, part, tests, measure),
       list(anova_interaction_words(tests)), list(clicked$words)),
@@ -33,26 +38,12 @@ why_no_test_of <- function(part) {
   if (participant_count(trials) < 2) {
     return("One participant: figures and means describe; no inferential test was made.")
   }
-  if (part$response == "clicks" && sum(trials$clicks) == 0) {
-    return("Nobody clicked, so there is nothing to test.")
-  }
-  if (part$response == "mark" && length(unique(trials$mark)) == 1) {
-    return("Every mark was in the same place: nothing varies, so no test was made.")
-  }
-  if (part$response == "answer" && length(unique(trials$positive)) == 1) {
-    return("Every answer was alike: nothing varies, so no test was made.")
-  }
-}
-
-# ANOVA, Friedman and, for ratings, equivalence: of participants' means of the response.
-tests_of_means <- function(part, measure) {
-  say_progress(kMeansStep)
-  trials <- part$trials
-  factors <- unname(part$factors)
-  trials$rating <- trials[[measure$of]]
-  noun <- if (part$response == "rating") "a rating" else "a trial"
-  all_outcomes(repeated_measures_tests(trials, factors, noun), friedman_tests(trials, factors, noun),
-    if (part$response == "rating") equivalence_tests(trials, factors, equivalence_margin(part$scale)))
+  switch(part$response,
+    clicks = if (sum(trials$clicks) == 0) "Nobody clicked, so there is nothing to test.",
+    mark = if (length(unique(trials$mark)) == 1)
+      "Every mark was in the same place: nothing varies, so no test was made.",
+    answer = if (length(unique(trials$positive)) == 1)
+      "Every answer was alike: nothing varies, so no test was made.")
 }
 
 # What was found about one factor.
@@ -70,9 +61,8 @@ factor_paragraph <- function(factor, part, tests, measure) {
 clicked_events <- function(part) {
   if (part$response != "clicks") return(list())
   words <- Filter(function(f) !is_number(part$trials[[f]]), unname(part$factors))
-  all <- factor(rep("all", nrow(part$trials)))
-  part$trials$scheduling <- if (length(words) > 0) part$trials[[words[1]]] else all
-  if (is.null(part$trials$bodies)) part$trials$bodies <- all
+  part$trials$scheduling <- if (length(words) > 0) part$trials[[words[1]]] else
+    factor(rep("all", nrow(part$trials)))
   study <- with_click_times(with_collisions(part))
   if (length(unique(study$collisions$bad)) < 2) {
     return(list(words = paste("All collisions were resolved at one sort of level, coarsest or finer,",

@@ -20,7 +20,7 @@ keep_people_apart <- function(study) {
   study
 }
 
-participant_count <- function(trials) length(unique(trials$participant))
+participant_count <- function(rows) length(unique(rows$participant))
 
 # The design's factors that vary in these trials.
 varying_factors <- function(trials, factors) {
@@ -80,7 +80,6 @@ means_with_intervals <- function(trials, factors, of = "rating") {
     if (length(between_factors(trials, factors)) > 0) t_intervals(means) else data.frame(
     cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_)
   rows[factors] <- cell_factors(rows$cell)
-  rows$x <- position_of(rows[[factors[1]]])
   if (of == "positive") {  # a share
     rows$low <- pmax(rows$low, 0)
     rows$high <- pmin(rows$high, 1)
@@ -116,12 +115,6 @@ unbalanced_sentence <- function(study) {
     "and comparisons of two levels take what trials there are, so that they also hold effects of the",
     "other factors; the ANOVA leaves these participants out."), lacking, nrow(means),
     if (lacking == 1) "lacks" else "lack", and_words(vapply(factors, plain_name, "")))
-}
-
-# Numbers stand at their value on the axis, words at 1, 2, 3 in their order.
-position_of <- function(level) {
-  number <- suppressWarnings(as.numeric(level))
-  if (anyNA(number)) as.integer(factor(level, unique(level))) else number
 }
 
 # Student's t interval of the mean of `x`: c(mean, low, high); no limits for fewer than two values.
@@ -181,9 +174,9 @@ noncentrality_at <- function(probability, F, df1, df2) {
 # those that the normal law gives Student's t interval, wider by sqrt(n / (n - 1)): plain percentiles
 # of n participants are too narrow (Hesterberg 2015, "expanded percentile"). Seeded, so that a table is
 # the same every time it is made; the caller's random numbers are left as they were.
-bootstrap_interval <- function(means, statistic, level = 0.95, draws = 2000, seed = 1) {
+bootstrap_interval <- function(means, statistic, level = 0.95, draws = 2000) {
   n <- nrow(means)
-  values <- withr::with_seed(seed, replicate(draws, {
+  values <- withr::with_seed(1, replicate(draws, {
     statistic(means[sample(n, replace = TRUE), , drop = FALSE])
   }))
   tail <- if (n < 2) (1 - level) / 2 else

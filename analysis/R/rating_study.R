@@ -15,18 +15,11 @@
 # the same numbers.
 # SPDX-License-Identifier: MIT
 
-kPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2")
-
-# Reads what the command line names; refuses before anything is written. Adds `out`, the folder.
-open_rating_study <- function(study, words) {
-  arguments <- study_arguments(study, words, kPackages)
-  read <- keep_people_apart(read_studies(arguments$studies, study$protocol, study$factors,
-    study$views))
-  prepare_folder(arguments$out)
-  c(read, study[setdiff(names(study), names(read))], out = arguments$out)
+open_rating_study <- function(study, paths) {
+  read <- keep_people_apart(read_studies(paths, study$protocol, study$factors, study$views))
+  c(read, study[setdiff(names(study), names(read))])
 }
 
-# Tests, writes and says everything.
 report_rating_study <- function(study) {
   if (!is.null(study$depth_names)) {
     study <- do.call(with_depths_named, c(list(study), study$depth_names))
@@ -49,17 +42,21 @@ report_rating_study <- function(study) {
 output_path <- function(study, ending) file.path(study$out, paste0(study$protocol, ending))
 
 # Writes the tests, the further `tables` (named by what their files end in) and the report as
-# Markdown, and says where all is and what was found. `sections`: lines of Markdown after the results;
-# `beside`: paragraphs that stand in them and are said too; `left_out`: the part about exclusions.
+# Markdown, and says where all is and what was found. `data`: sentences on what is behind the results;
+# `sections`: lines of Markdown after the results; `beside`: paragraphs that stand in them and are said
+# too; `left_out`: the part about exclusions.
 write_outputs <- function(study, tests, results, data, caption, sections, figures,
                           tables = list(), beside = NULL, left_out = left_out_section(study)) {
-  write_table(tests$rows, output_path(study, ".csv"))
-  for (name in names(tables)) write_table(tables[[name]], output_path(study, paste0("-", name, ".csv")))
-  write_report(output_path(study, ".md"), study$title, results, data, tests$remarks, caption, sections,
-    left_out)
-  say(c(figures, output_path(study, ".csv"), if (length(tables) > 0) output_path(study, paste0("-",
-    names(tables), ".csv")), output_path(study, ".md"), "", paste(data, collapse = " "), "", results,
-    beside, tests$remarks))
+  tables <- c(list(tests$rows), stats::setNames(tables, sprintf("-%s", names(tables))))
+  files <- c(output_path(study, paste0(names(tables), ".csv")), output_path(study, ".md"))
+  Map(write_table, tables, utils::head(files, -1))
+  bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
+  text <- c(
+    paste("#", study$title), "", results, "", sections, "## Data", "", bullets(data), "",
+    "## Left out, and other trials to know of", "", left_out, "",
+    "## Remarks on the tests", "", bullets(tests$remarks), "", "## Figure", "", caption)
+  writeLines(enc2utf8(text), output_path(study, ".md"), useBytes = TRUE)
+  say(c(figures, files, "", paste(data, collapse = " "), "", results, beside, tests$remarks))
 }
 
 # Tests of `main`, the ordered factor of interest, and of the `others`, all columns of `trials`;
@@ -77,10 +74,7 @@ rating_tests <- function(trials, main, others, interactions = FALSE,
   if (length(factors) == 0) return(combine_outcomes(constant))
   pairs <- if (interactions && length(main) == 1) sprintf("%s:%s", main, others)
   models <- factor_tests(trials, factors, interactions = pairs)
-  say_progress(kMeansStep)
-  combine_outcomes(constant, models, repeated_measures_tests(trials, factors),
-    friedman_tests(trials, factors),
-    if (!is.null(margin)) equivalence_tests(trials, factors, margin),
+  combine_outcomes(constant, models, tests_of_means(trials, factors, "a rating", margin),
     if (!is.null(margin) && length(main) > 0)
       pooled_tests(trials, main, by = utils::head(others, 1)))
 }

@@ -116,8 +116,8 @@ protocol_titles <- function(path, protocol) {
 }
 
 # The rows of "SELECT trial, ... FROM view" for the study's own trials: `row` is the number of their
-# row in study$trials, and participant, scheduling and bodies are that row's. `ending`: of the query,
-# or a function that gives it for the file at a path.
+# row in study$trials, and participant is that row's. `ending`: of the query, or a function that gives
+# it for the file at a path.
 rows_of_trials <- function(study, select, ending = "") {
   rows <- each_row(unique(study$trials$path), function(path) {
     rows <- query_study(path, paste(select, "WHERE protocol = ? AND phase = 'main'",
@@ -126,8 +126,7 @@ rows_of_trials <- function(study, select, ending = "") {
     rows$row <- mine[match(rows$trial, study$trials$trial[mine])]
     rows[!is.na(rows$row), ]
   })
-  columns <- intersect(c("participant", "scheduling", "bodies"), names(study$trials))
-  rows[columns] <- study$trials[rows$row, columns]
+  rows$participant <- study$trials$participant[rows$row]
   rows
 }
 
@@ -199,8 +198,7 @@ in_kinds_order <- function(levels) {
 one_scale <- function(study) {
   scales <- unique(rbind(study$trials[kScaleColumns], study$catch[kScaleColumns]))
   if (nrow(scales) == 1) return(scales)
-  described <- vapply(seq_len(nrow(scales)), function(i) describe_scale(scales[i, ]), "")
-  refuse("expected ratings on one scale, got ", paste(described, collapse = "; and "),
+  refuse("expected ratings on one scale, got ", paste(describe_scale(scales), collapse = "; and "),
     ": scales that differ are never pooled")
 }
 

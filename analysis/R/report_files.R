@@ -34,13 +34,19 @@ write_report_data <- function(path, folder) {
   study <- withr::local_db_connection(open_study(path, names(kReportViews)))
   DBI::dbExecute(study, "BEGIN")
   columns <- each_row(names(kReportViews), function(view) write_view(study, view, folder))
-  columns <- rbind(columns, write_design_levels(study, folder))
+  designs <- DBI::dbGetQuery(study, kDesignLevelSql)
   DBI::dbExecute(study, "COMMIT")
-  utils::write.csv(columns, file.path(folder, "columns.csv"), row.names = FALSE)
-  utils::write.csv(data.frame(study = basename(path),
-    read_utc = format(Sys.time(), "%Y-%m-%d %H:%M UTC", tz = "UTC")), file.path(folder, "study.csv"),
-    row.names = FALSE)
+  write_rows(designs, folder, "design_level")
+  write_rows(rbind(columns, data.frame(view = "design_level", column = names(designs),
+    type = ifelse(names(designs) %in% c("place", "number"), "INTEGER", "TEXT"))), folder, "columns")
+  write_rows(data.frame(study = basename(path),
+    read_utc = format(Sys.time(), "%Y-%m-%d %H:%M UTC", tz = "UTC")), folder, "study")
   invisible(folder)
+}
+
+write_rows <- function(rows, folder, name) {
+  utils::write.csv(rows, file.path(folder, paste0(name, ".csv")), row.names = FALSE, na = "",
+    fileEncoding = "UTF-8")
 }
 
 write_view <- function(study, view, folder) {
@@ -54,17 +60,8 @@ write_view <- function(study, view, folder) {
   where <- kReportViews[[view]]$where
   rows <- DBI::dbGetQuery(study, sprintf("SELECT %s FROM %s%s", paste(ask, collapse = ", "), view,
     if (is.null(where)) "" else paste(" WHERE", where)))
-  utils::write.csv(rows, file.path(folder, paste0(view, ".csv")), row.names = FALSE, na = "",
-    fileEncoding = "UTF-8")
+  write_rows(rows, folder, view)
   data.frame(view = view, column = declared$name, type = type)
-}
-
-write_design_levels <- function(study, folder) {
-  rows <- DBI::dbGetQuery(study, kDesignLevelSql)
-  utils::write.csv(rows, file.path(folder, "design_level.csv"), row.names = FALSE, na = "",
-    fileEncoding = "UTF-8")
-  data.frame(view = "design_level", column = names(rows),
-    type = ifelse(names(rows) %in% c("place", "number"), "INTEGER", "TEXT"))
 }
 
 # The tables of an earlier report, as they are.

@@ -118,7 +118,7 @@ anova_interaction_words <- function(tests) {
   found <- rows$p_holm < kSignificance
   c(
     if (any(found)) sprintf("Interactions in the repeated-measures ANOVA: %s.", paste(names[found],
-      vapply(which(found), function(i) F_words(rows[i, ]), ""), sep = ", ", collapse = "; ")),
+      F_words(rows[found, ]), sep = ", ", collapse = "; ")),
     if (any(!found)) sprintf("Not detected, which is not evidence of absence: %s.",
       paste(names[!found], both_p_words(rows[!found, ]), sep = ", ", collapse = "; ")))
 }
@@ -170,9 +170,9 @@ chi_squared_words <- function(row) {
   sprintf("χ²(%d) = %.1f, %s", as.integer(row$df1), row$statistic, both_p_words(row))
 }
 
-F_words <- function(row) {
-  df <- function(x) format(round(x, 1), nsmall = if (x == round(x)) 0 else 1, trim = TRUE)
-  sprintf("F(%s, %s) = %.1f, %s", df(row$df1), df(row$df2), row$statistic, both_p_words(row))
+F_words <- function(rows) {
+  df <- function(x) ifelse(x == round(x), sprintf("%.0f", x), sprintf("%.1f", x))
+  sprintf("F(%s, %s) = %.1f, %s", df(rows$df1), df(rows$df2), rows$statistic, both_p_words(rows))
 }
 
 p_words <- function(p) {
@@ -202,14 +202,3 @@ figure_caption <- function(trials, main, beside, simulated) {
       "."))
 }
 
-# Writes the report as Markdown: results, the data behind them, what is left out, remarks, caption.
-# `section`, `left_out`: lines of Markdown.
-write_report <- function(path, title, paragraph, sentences, remarks, caption, section = NULL,
-                         left_out = NULL) {
-  bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
-  text <- c(
-    paste("#", title), "", paragraph, "", section, "## Data", "", bullets(sentences), "",
-    "## Left out, and other trials to know of", "", left_out, "",
-    "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption)
-  writeLines(enc2utf8(text), path, useBytes = TRUE)
-}

@@ -48,11 +48,16 @@ read_part <- function(part) {
   tryCatch(part, refusal = function(condition) list(why = conditionMessage(condition)))
 }
 
+# The main trials of one response as a part; `more(part)` adds what only this response has.
+read_response <- function(response, path, protocol, view, what, more, where = "1") {
+  part <- more(read_trials(path, protocol, view, what, where = where))
+  part$response <- response
+  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+}
+
 rating_part <- function(path, protocol) {
-  part <- with_every_factor(read_trials(path, protocol, "rated_trial", "rated main trials"))
-  part$scale <- one_scale(part)
-  part$response <- "rating"
-  with_factors_that_vary(keep_people_apart(part))
+  read_response("rating", path, protocol, "rated_trial", "rated main trials",
+    function(part) c(part, list(scale = one_scale(part))))
 }
 
 # The questions that were answered by a mark on a line in the main phase.
@@ -62,43 +67,32 @@ mark_questions <- function(answers) {
 
 # Marks of one question: each has a line of its own.
 mark_part <- function(path, protocol, question) {
-  part <- read_trials(path, protocol, "trial_response", "main trials with a mark",
-    where = sprintf("kind = 'slider' AND answer <> '' AND question = '%s'",
-      gsub("'", "''", question, fixed = TRUE)))
-  part$trials$mark <- as.numeric(part$trials$answer)
-  part$line <- vapply(c("minimum", "maximum"), function(end) {
-    as.numeric(sub(sprintf(".*\"%s\": *(-?[0-9.]+).*", end), "\\1", part$trials$detail[1]))
-  }, 0)
-  part$question <- question
-  part$kind <- paste("mark", match(question, mark_questions(rows_of_view(path, "trial_response",
-    protocol))))
-  part$response <- "mark"
-  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+  where <- sprintf("kind = 'slider' AND answer <> '' AND question = '%s'",
+    gsub("'", "''", question, fixed = TRUE))
+  read_response("mark", path, protocol, "trial_response", "main trials with a mark", function(part) {
+    part$trials$mark <- as.numeric(part$trials$answer)
+    part$line <- vapply(c("minimum", "maximum"), function(end) {
+      as.numeric(sub(sprintf(".*\"%s\": *(-?[0-9.]+).*", end), "\\1", part$trials$detail[1]))
+    }, 0)
+    part$question <- question
+    part$kind <- paste("mark", match(question, mark_questions(rows_of_view(path, "trial_response",
+      protocol))))
+    part
+  }, where)
 }
 
-# Answers of one kind: whether they were right, where that is a question of its own, and they
-# themselves.
+# Answers of one kind: whether they were right, where that is a question of its own; they themselves
+# by condition, where the plan set it; and thresholds, where there are levels for them.
 answer_parts <- function(path, protocol, kind) {
   part <- read_part(answer_part(path, protocol, kind))
   if (!is.null(part$why)) return(list(part))
-  c(right_parts(part), given_parts(part))
-}
-
-# Answers by condition, where the plan set it; and thresholds, where there are levels for them.
-given_parts <- function(part) {
-  if (is.null(threshold_factor(part))) return(list(part))
-  thresholds <- read_part(threshold_part(part))
-  if (is_tracked(part)) return(list(thresholds))
-  list(part, if (is.null(thresholds$why)) why_no_function(thresholds) else thresholds)
+  thresholds <- if (!is.null(threshold_factor(part))) read_part(why_no_function(threshold_part(part)))
+  c(right_parts(part), if (is.null(thresholds) || !is_tracked(part)) list(part), list(thresholds))
 }
 
 answer_part <- function(path, protocol, kind) {
-  part <- read_trials(path, protocol, "trial_response", "answered main trials",
-    where = answered_where(kind))
-  part <- with_factors_that_vary(keep_people_apart(with_every_factor(part)))
-  part$kind <- kind
-  part$response <- "answer"
-  part
+  read_response("answer", path, protocol, "trial_response", "answered main trials",
+    function(part) c(part, list(kind = kind)), answered_where(kind))
 }
 
 # The part of whether answers were right; none where nothing is right, or where the answers by one
@@ -121,7 +115,11 @@ right_parts <- function(part) {
 choice_parts <- function(path, protocol, answers) {
   chosen <- answers$answer[answers$phase == "main" & answers$kind == "choice" & answers$timed_out == 0]
   if (length(chosen) == 0) return(list())
-  read <- read_part(choice_part(path, protocol))
+  read <- read_part(read_response("answer", path, protocol, "trial_response", "answered main trials",
+    function(part) {
+      part$choices <- as.integer(sub(".*\"options\": *([0-9]+).*", "\\1", part$trials$detail[1]))
+      part
+    }, "kind = 'choice' AND timed_out = 0"))
   if (!is.null(read$why)) return(list(read))
   right <- if (!anyNA(read$trials$correct)) list(counting(read, "right choice", read$trials$correct))
   c(right, lapply(sort(unique(chosen)), function(option) {
@@ -129,15 +127,6 @@ choice_parts <- function(path, protocol, answers) {
     part$option <- option
     part
   }))
-}
-
-choice_part <- function(path, protocol) {
-  part <- read_trials(path, protocol, "trial_response", "answered main trials",
-    where = "kind = 'choice' AND timed_out = 0")
-  part <- with_factors_that_vary(keep_people_apart(with_every_factor(part)))
-  part$choices <- as.integer(sub(".*\"options\": *([0-9]+).*", "\\1", part$trials$detail[1]))
-  part$response <- "answer"
-  part
 }
 
 # The part where such answers count.
@@ -201,15 +190,15 @@ is_realised_hold <- function(trials, axis, levels) {
 
 # Trials with clicks, of which the rate is that of the exposure.
 click_part <- function(path, protocol) {
-  part <- read_trials(path, protocol, "clicked_trial", "main trials with clicks")
-  part$trials <- trials_with_exposure(part$trials)
-  if (nrow(part$trials) == 0) {
-    refuse(part$files[1], ": expected frames of the trials with clicks, got none, so how long one could",
-      " click is not known and clicks are not analysed")
-  }
-  part$trials$click_rate <- part$trials$clicks / part$trials$exposure_s
-  part$response <- "clicks"
-  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+  read_response("clicks", path, protocol, "clicked_trial", "main trials with clicks", function(part) {
+    part$trials <- trials_with_exposure(part$trials)
+    if (nrow(part$trials) == 0) {
+      refuse(part$files[1], ": expected frames of the trials with clicks, got none, so how long one",
+        " could click is not known and clicks are not analysed")
+    }
+    part$trials$click_rate <- part$trials$clicks / part$trials$exposure_s
+    part
+  })
 }
 
 # Trials that a click ended, and when it came; part$unclicked: those that ended without one.

@@ -14,20 +14,18 @@
 
 kPriorityColours <- c(high = "#D55E00", low = "#56B4E9")
 
-open_distribution_study <- function(study, words) {
-  arguments <- study_arguments(study, words, c("RSQLite", "ggplot2"))
-  parts <- lapply(arguments$studies, read_distribution, study$protocol)
+open_distribution_study <- function(study, paths) {
+  parts <- lapply(paths, read_distribution, study$protocol)
   together <- function(part) each_row(parts, `[[`, part)
   collisions <- together("collisions")
   if (is.null(collisions)) {
-    refuse(paste(basename(arguments$studies), collapse = ", "), ": expected collisions of '",
-      study$protocol, "' with their distance, got none yet")
+    refuse(paste(basename(paths), collapse = ", "), ": expected collisions of '", study$protocol,
+      "' with their distance, got none yet")
   }
-  prepare_folder(arguments$out)
   seen <- unique(collisions$scheduler)
   order_of <- c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance")
   collisions$scheduler <- factor(collisions$scheduler, unique(c(intersect(order_of, seen), seen)))
-  c(study, list(collisions = collisions, out = arguments$out, walls = sum(together("walls")),
+  c(study, list(collisions = collisions, walls = sum(together("walls")),
     unknown = sum(together("unknown")), left_out = sum(together("left_out")),
     exclusions = together("exclusions")))
 }
@@ -148,29 +146,22 @@ kFlatChange <- 0.10
 kWeakChange <- 0.25
 kStepShare <- 0.95
 
-# What experiments predict (thesis sec. 6.3): scheduler, its other names, place, shape.
+# What experiments predict (thesis sec. 6.3): scheduler with its other names, place, shape; and why,
+# from geometry alone, it need not be met.
 kExpectedShapes <- list(
-  list(c("size"), "distance_m", "step"),
+  list("size", "distance_m", "step"),
   list(c("velocity", "speed"), "speed_deg_s", "step"),
   list(c("velocity", "speed"), "distance_m", "rises"),
-  list(c("eccentricity"), "distance_m", "flat"),
+  list("eccentricity", "distance_m", "flat", paste(" Depth is the distance from the eye: the farthest",
+    "places are the far face's corners, and near the eye a body's own size keeps it from the edges.")),
   list(c("gap", "centres"), "distance_m", "flat"),
   list(c("gap", "centres"), "eccentricity_deg", "flat"),
   list(c("projected-gap", "projected-centres"), "distance_m", "falls"),
-  list(c("collision-speed"), "distance_m", "weak"),
-  list(c("collision-speed"), "speed_deg_s", "weak"),
-  list(c("collision-speed"), "eccentricity_deg", "weak")
-)
-
-# Why a shape need not be met, from geometry alone: scheduler, place, words.
-kShapeReasons <- list(
-  list("eccentricity", "distance_m", paste("Depth is the distance from the eye: the farthest places",
-    "are the far face's corners, and near the eye a body's own size keeps it from the edges")),
-  list("collision-speed", "distance_m", paste("A relative speed falls with distance as every",
-    "projected speed does")),
-  list("collision-speed", "speed_deg_s", paste("The relative speed of two bodies is at most twice",
-    "their mean speed"))
-)
+  list("collision-speed", "distance_m", "weak",
+    " A relative speed falls with distance as every projected speed does."),
+  list("collision-speed", "speed_deg_s", "weak",
+    " The relative speed of two bodies is at most twice their mean speed."),
+  list("collision-speed", "eccentricity_deg", "weak"))
 
 # c(change, step) of logical `high` over numbers `x`; NA for fewer than two values.
 shape_of <- function(x, high) {
@@ -231,13 +222,12 @@ wilson_share <- function(count, n) {
 # A sentence for each expected shape whose scheduler is there: is it met, by which number?
 shape_sentences <- function(shapes) {
   unlist(lapply(kExpectedShapes, function(expected) {
-    row <- shapes[shapes$scheduler %in% expected[[1]] & shapes$place == expected[[2]], ]
-    if (nrow(row) == 0) return(NULL)
-    vapply(seq_len(nrow(row)), function(i) shape_sentence(row[i, ], expected[[3]]), "")
-  }))
+    rows <- shapes[shapes$scheduler %in% expected[[1]] & shapes$place == expected[[2]], ]
+    lapply(split(rows, seq_len(nrow(rows))), shape_sentence, expected[[3]], unlist(expected[-(1:3)]))
+  }), use.names = FALSE)
 }
 
-shape_sentence <- function(row, shape) {
+shape_sentence <- function(row, shape, reason) {
   met <- switch(shape,
     step = row$step >= kStepShare, rises = row$change > kFlatChange,
     falls = row$change < -kFlatChange, flat = abs(row$change) <= kFlatChange,
@@ -254,12 +244,5 @@ shape_sentence <- function(row, shape) {
   }
   sprintf("%s: %s over %s was expected and is %s (%s).%s", row$scheduler, expected,
     sub(" \\(.*", "", kPlaces[[row$place]]), if (isTRUE(met)) "met" else "NOT met", number,
-    if (isTRUE(met)) "" else shape_reason(row))
-}
-
-# " ... ." where geometry says why the shape is not met, otherwise "".
-shape_reason <- function(row) {
-  mine <- Filter(function(reason) reason[[1]] == row$scheduler && reason[[2]] == row$place,
-    kShapeReasons)
-  if (length(mine) > 0) paste0(" ", mine[[1]][[3]], ".") else ""
+    if (isTRUE(met) || is.null(reason)) "" else reason)
 }

@@ -84,7 +84,7 @@ contrast_panel <- function(trials, of, margin, simulated, pair = kTrackedRandom)
   places <- colnames(differences)
   each <- long_means(differences, "place")
   each$x <- match(each$place, places) + 0.15 + spread(each$participant) * 0.4
-  mean <- as.data.frame(t(apply(differences, 2, function(x) t_interval(x[!is.na(x)]))))
+  mean <- t_intervals(differences)
   mean$x <- seq_along(places) - 0.15
   mean <- mean[!is.na(mean$mean), ]
   who <- c(if (all(is.na(mean$low))) "mean" else "mean, 95 % CI", who_words(simulated))
@@ -165,9 +165,7 @@ gain_panel <- function(gains, simulated) {
   each <- data.frame(participant = rep(gains$participant, 2), gain = unlist(gains[events]),
     x = rep(1:2, each = nrow(gains)))
   each$x <- each$x + 0.15 + spread(each$participant) * 0.4
-  mean <- as.data.frame(t(vapply(gains[events], t_interval, numeric(3))))
-  mean$event <- events
-  mean$x <- 1:2 - 0.15
+  mean <- cbind(t_intervals(gains[events]), event = events, x = 1:2 - 0.15)
   ggplot2::ggplot(mean, ggplot2::aes(x, mean)) + zero_line() +
     ggplot2::geom_line(ggplot2::aes(y = gain, group = participant), each, linewidth = 0.2,
       colour = "grey72") +

@@ -43,8 +43,8 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
     if (nrow(rows) > 0) c(
       sprintf(paste("%s, %s (cumulative-link mixed model of these two kinds, %s; Holm over %d",
         "tests): odds ratio of a higher rating %s."),
-        contrast_title(pair), pair_words(pair, " against "), contrast_random_words(rows),
-        nrow(rows), estimates_words(rows)),
+        if (pair$planned) "Planned contrast" else "Beside it", pair_words(pair, " against "),
+        contrast_random_words(rows), nrow(rows), estimates_words(rows)),
       verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse",
         pair)),
     if (nrow(means) > 0) sprintf(
@@ -61,8 +61,6 @@ contrast_random_words <- function(rows) {
   paste0(random_words(rows$method[1]),
     if (length(parts) > 1) sprintf(" (at each number of bodies %s)", parts[2]))
 }
-
-contrast_title <- function(pair) if (pair$planned) "Planned contrast" else "Beside it"
 
 # The thesis quoted 1 − p of this test as "significance": > 70 %, > 55 % and > 80 % for ratings.
 thesis_words <- function(tests, family) {

@@ -119,12 +119,10 @@ threshold_sensitivity <- function(part) {
   choices <- list("as reported" = part)
   on_time <- part$trials$late_timed_frames == 0
   if (!all(on_time) && any(on_time)) {
-    choices[["without trials with late frames"]] <- c(part[names(part) != "trials"],
-      list(trials = part$trials[on_time, ]))
+    choices[["without trials with late frames"]] <- replace(part, "trials",
+      list(part$trials[on_time, ]))
   }
-  if (is.null(part$guess)) {
-    choices[["guess rate of 0"]] <- c(part[names(part) != "guess"], list(guess = 0))
-  }
+  if (is.null(part$guess)) choices[["guess rate of 0"]] <- replace(part, "guess", 0)
   rows <- each_row(names(choices), function(name) {
     functions <- psychometric_functions(choices[[name]], draws = 0)
     means <- threshold_means(part, functions$rows)

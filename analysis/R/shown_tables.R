@@ -154,9 +154,6 @@ levels_reached <- function(rows) {
     collapse = ", ")))
 }
 
-kLevelHeads <- c("Level reached", "Collisions", "Share", "Gap, median (′)", "Gap, 95 % below (′)",
-  "Hidden share, median", "Refinement ended at")
-
 # The same by each level of each factor of the design: what a condition really looked like.
 levels_by_factor <- function(rows, levels) {
   if (nrow(rows) == 0) return(NULL)
@@ -177,9 +174,6 @@ in_order <- function(levels) {
   if (anyNA(number)) sort(levels) else levels[order(number)]
 }
 
-kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (′)",
-  "Gap, 95 % below (′)", "Hidden share, median", "Levels of the tree reached")
-
 # The same by how far from the gaze they began, where it was followed: which levels were looked at.
 levels_looked_at <- function(rows) {
   rows <- rows[!is.na(rows$away_deg), ]
@@ -189,8 +183,9 @@ levels_looked_at <- function(rows) {
   gaps_by(rows, away, function(cell) data.frame(reached = mean(cell$level)))
 }
 
-kLookedAtHeads <- c("From the gaze", "Collisions", "Share", "Gap, median (′)",
-  "Gap, 95 % below (′)", "Hidden share, median", "Level reached, mean")
+# What these three tables have in common; before it stands what they are by, after it `more`.
+kGapHeads <- c("Collisions", "Share", "Gap, median (′)", "Gap, 95 % below (′)",
+  "Hidden share, median")
 
 gaps_by <- function(rows, by, more) {
   cells <- split(rows, by, drop = TRUE)

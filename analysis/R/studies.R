@@ -43,21 +43,21 @@ study_description <- function(name) {
     })))
 }
 
-# Reports on the study of this name, from the files that `words` of the command line name.
+# Reports on the study of this name, from the files that `words` of the command line name. Refuses
+# before anything is written.
 report_study <- function(name, words) {
   study <- study_description(name)
-  switch(study$kind,
-    ratings = report_rating_study(open_rating_study(study, words)),
-    thresholds = report_threshold_study(open_threshold_study(study, words)),
-    accuracy = report_accuracy_study(open_accuracy_study(study, words)),
-    scheduling = report_gaze_study(open_gaze_study(study, words)),
-    distribution = report_distribution_study(open_distribution_study(study, words)))
-}
-
-# What the command line names, as read_arguments gives it, with the packages there.
-study_arguments <- function(study, words, packages) {
+  # What reads the study, what tests, writes and says everything, and packages beside those of all.
+  kind <- switch(study$kind,
+    ratings = list(open_rating_study, report_rating_study, c("ordinal", "lme4", "afex")),
+    thresholds = list(open_threshold_study, report_threshold_study, c("lme4", "afex")),
+    accuracy = list(open_accuracy_study, report_accuracy_study, "afex"),
+    scheduling = list(open_gaze_study, report_gaze_study, c("ordinal", "lme4", "afex")),
+    distribution = list(open_distribution_study, report_distribution_study))
   arguments <- read_arguments(words, sprintf(
-    "Rscript analysis/%s.R study.sqlite [more.sqlite ...] --out figures/", study$protocol))
-  need_packages(packages)
-  arguments
+    "Rscript analysis/%s.R study.sqlite [more.sqlite ...] --out figures/", name))
+  need_packages(c("RSQLite", unlist(kind[-(1:2)]), "ggplot2"))
+  opened <- kind[[1]](study, arguments$studies)
+  prepare_folder(arguments$out)
+  kind[[2]](c(opened, out = arguments$out))
 }

@@ -129,14 +129,15 @@ levels_words <- function(levels, many) {
 
 shown_lines <- function(path, protocol) {
   collisions <- analysed_collisions(path, protocol)
-  reached <- levels_reached(collisions)
-  by_factor <- levels_by_factor(collisions, levels_of_trials(path))
-  looked_at <- levels_looked_at(collisions)
+  gaps <- function(title, rows, by, more) {
+    if (!is.null(rows)) c(title, html_table(rows, c(by, kGapHeads, more)))
+  }
   c(html_paragraphs(paste(shown_sentences(path, protocol, collisions), collapse = " ")),
-    if (!is.null(reached)) html_table(reached, kLevelHeads),
-    if (!is.null(by_factor)) c("<h4>By condition</h4>", html_table(by_factor, kFactorLevelHeads)),
-    if (!is.null(looked_at)) c("<h4>By distance from the gaze</h4>",
-      html_table(looked_at, kLookedAtHeads)))
+    gaps(NULL, levels_reached(collisions), "Level reached", "Refinement ended at"),
+    gaps("<h4>By condition</h4>", levels_by_factor(collisions, levels_of_trials(path)),
+      c("Factor", "Level"), "Levels of the tree reached"),
+    gaps("<h4>By distance from the gaze</h4>", levels_looked_at(collisions), "From the gaze",
+      "Level reached, mean"))
 }
 
 # Figures, words, tables and files of a part.

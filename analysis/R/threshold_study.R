@@ -15,18 +15,14 @@ kBootstrapDraws <- 200
 kThresholdKinds <- c("yes_no", "two_interval")
 kConditionSeparator <- " × "
 
-# Reads what the command line names; refuses before anything is written.
-open_threshold_study <- function(study, words) {
-  arguments <- study_arguments(study, words, c("RSQLite", "lme4", "afex", "ggplot2"))
-  read <- read_trials(arguments$studies, study$protocol, "trial_response", "answered main trials",
+open_threshold_study <- function(study, paths) {
+  read <- read_trials(paths, study$protocol, "trial_response", "answered main trials",
     where = answered_where(kThresholdKinds))
   names <- unique(read$levels$factor)
   axis <- names == study$factors | startsWith(names, paste0(study$factors, "_"))
   read <- keep_people_apart(with_factor_columns(read, c(level = study$factors,
     stats::setNames(nm = names[!axis]))))
-  prepare_folder(arguments$out)
-  read[c("out", "title", "log10")] <- list(arguments$out, study$title, isTRUE(study$log10))
-  with_scale_and_condition(read, isTRUE(study$realised_hold))
+  with_scale_and_condition(c(read, study[c("title", "log10")]), study$realised_hold)
 }
 
 # The rows of trial_response that are answers of these kinds.

@@ -97,7 +97,7 @@ remarkable_lines <- function(study) {
   trials <- study$trials
   reasons <- sort(unique(study$interrupted$interrupted_by), na.last = TRUE)
   row <- function(what, rows, treated) {
-    sprintf("%s | %d | %d | %s", what, NROW(rows), people_in(rows), treated)
+    sprintf("%s | %d | %d | %s", what, NROW(rows), participant_count(rows), treated)
   }
   markdown_table(c("main trials", "number", "participants", "treated as"), c(
     row("with late timed frames", trials[trials$late_timed_frames > 0, ], "in the analysis"),
@@ -111,8 +111,6 @@ remarkable_lines <- function(study) {
     row("catch trials", study$catch, "apart, below")))
 }
 
-people_in <- function(rows) length(unique(rows$participant))
-
 # Catch trials by condition: their ratings, marks or clicks, or the share of right, chosen or positive
 # answers.
 catch_lines <- function(study) {
@@ -122,7 +120,7 @@ catch_lines <- function(study) {
   catch$value <- measure$value
   rows <- vapply(split(catch, catch$condition), function(cell) {
     known <- cell$value[!is.na(cell$value)]
-    sprintf("`%s` | %d | %d | %s", as_code(cell$condition[1]), nrow(cell), people_in(cell),
+    sprintf("`%s` | %d | %d | %s", as_code(cell$condition[1]), nrow(cell), participant_count(cell),
       if (length(known) == 0) "– | –" else
         sprintf("%.2f | %.0f to %.0f", mean(known), min(known), max(known)))
   }, "")
@@ -165,7 +163,7 @@ participants_sentence <- function(study) {
     study$exclusions$participant[is.na(study$exclusions$trial)])
   enrolled <- study$enrolments[!study$enrolments$participant %in% left_out, ]
   unfinished <- enrolled$completed_trials < enrolled$planned_trials | is.na(enrolled$finished_utc)
-  incomplete <- people_in(enrolled[unfinished & enrolled$participant %in% names(per), ])
+  incomplete <- participant_count(enrolled[unfinished & enrolled$participant %in% names(per), ])
   without <- setdiff(enrolled$participant, names(per))
   elsewhere <- length(intersect(without, study$elsewhere))
   waiting <- length(without) - elsewhere
@@ -185,7 +183,7 @@ exclusions_sentence <- function(study) {
   left_out <- rbind(study$excluded[columns], study$exclusions[columns])
   if (nrow(left_out) == 0) return(sprintf("No %s was excluded.", answer_noun(study)))
   sprintf("Left out: %s of %s (%s).", count_of(sum(left_out$trials), answer_noun(study)),
-    count_of(people_in(left_out), "participant"),
+    count_of(participant_count(left_out), "participant"),
     paste(as_typed(unique(left_out$reason)), collapse = "; "))
 }
 
@@ -194,7 +192,7 @@ unclicked_sentence <- function(study) {
   if (NROW(study$unclicked) == 0) return(character())
   sprintf("In %s of %s nobody clicked; %s in no mean and no test.",
     count_of(nrow(study$unclicked), "more trial"),
-    count_of(people_in(study$unclicked), "participant"),
+    count_of(participant_count(study$unclicked), "participant"),
     if (nrow(study$unclicked) == 1) "it is" else "they are")
 }
 

@@ -18,7 +18,7 @@ calibrated_study <- function() {
     correction_xx = c(NA, 1.02, NA, NA, NA), correction_xy = c(NA, 0, NA, NA, NA),
     correction_y0_m = c(NA, -0.004, NA, NA, NA), correction_yx = c(NA, 0, NA, NA, NA),
     correction_yy = c(NA, 0.99, NA, NA, NA)))
-  open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+  open_gaze_study(study_description("gaze-contingent"), path)
 }
 
 test_that("the last calibration's correction and validation, and the largest drift, are those by hand", {

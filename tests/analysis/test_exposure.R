@@ -28,7 +28,7 @@ exposure_file <- function(merge_within_ms = 100) {
 
 exposure_study <- function(...) {
   path <- exposure_file(...)
-  study <- open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+  study <- open_gaze_study(study_description("gaze-contingent"), path)
   with_events(study)
 }
 
@@ -56,12 +56,16 @@ test_that("what was shown is that of the trials that are analysed", {
 })
 
 test_that("collisions of one sort closer than the limit are one event, however long the series", {
-  expect_equal(event_count(c(1, 1.09, 1.18, 1.3), 0.1), 2)
-  expect_equal(event_count(c(1.3, 1, 1.18, 1.09), 0.1), 2)  # in any order
-  expect_equal(event_count(c(1, 1.1, 1.2), 0.1), 3)         # exactly the limit apart
-  expect_equal(event_count(c(1, 1), 0), 2)                  # no limit: each its own
-  expect_equal(event_count(numeric(), 0.1), 0)
-  expect_equal(event_count(c(1, NA), 0.1), NA_integer_)
+  events <- function(time_s, within_ms) with_events(list(
+    trials = data.frame(merge_within_ms = within_ms),
+    collisions = data.frame(row = rep(1L, length(time_s)), time_s, bad = rep(TRUE, length(time_s)))))$trials
+  expect_equal(events(c(1, 1.09, 1.18, 1.3), 100)$bad_events, 2)
+  expect_equal(events(c(1.3, 1, 1.18, 1.09), 100)$bad_events, 2)  # in any order
+  expect_equal(events(c(1, 1.1, 1.2), 100)$bad_events, 3)         # exactly the limit apart
+  expect_equal(events(c(1, 1), NA)$bad_events, 2)                 # no limit: each its own
+  expect_equal(events(numeric(), 100)$bad_events, 0)
+  expect_equal(events(c(1, NA), 100)$bad_events, NA_integer_)
+  expect_equal(events(c(1, NA), 100)$good_events, 0)
 })
 
 test_that("events are merged within a trial and a sort", {
@@ -124,7 +128,7 @@ test_that("a planted difference of exposure is said, apart from what tracking is
   trials <- gaze_trials(131, participants = 6, repetitions = 1)
   path <- add_collisions(write_gaze_study(tempfile(fileext = ".sqlite"), trials),
     random_collisions(trials))
-  study <- with_events(open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir())))
+  study <- with_events(open_gaze_study(study_description("gaze-contingent"), path))
   tests <- combine_outcomes(exposure_tests(exposure_by_participant(study)))
   words <- exposure_words(tests)
   expect_match(words[1], paste("^Tracking kept bad collisions away from the gaze \\(tracked −",

@@ -152,7 +152,7 @@ test_that("the figure says root, middle, finest from left to right", {
   x <- ggplot2::ggplot_build(rating_panel(study$trials, study$scale, "level", TRUE))$layout
   expect_equal(x$panel_params[[1]]$x$get_labels(), c("root", "middle", "finest"))
   means <- means_with_intervals(study$trials, c("level", "viewpoint_deg"))
-  expect_equal(means$x, rep(1:3, each = 3))
+  expect_equal(means$level, rep(c("root", "middle", "finest"), each = 3))
 })
 
 test_that("a study file without collisions' view is refused", {

@@ -7,7 +7,7 @@ gaze_file <- function(trials, ...) {
 }
 
 read_gaze_study <- function(path) {
-  open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+  open_gaze_study(study_description("gaze-contingent"), path)
 }
 
 refused <- function(path, expression) {
@@ -38,7 +38,7 @@ test_that("trials of two files are never mixed up", {
   files <- vapply(c("P01", "P02"), function(who) gaze_file(trials[trials$participant == who, ]), "")
   add_collisions(files[2], data.frame(trial = 1:12, step = 1, level = 0, time_s = 1,
     gap_arcmin = NA, hidden_share = NA))
-  study <- open_gaze_study(study_description("gaze-contingent"), c(files, "--out", tempdir()))
+  study <- open_gaze_study(study_description("gaze-contingent"), files)
   expect_equal(unique(study$collisions$participant), "P02")
   expect_equal(tapply(study$trials$clicks, study$trials$participant, sum)[["P02"]],
     sum(trials$clicks[trials$participant == "P02"]))

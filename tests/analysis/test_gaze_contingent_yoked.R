@@ -9,7 +9,7 @@ yoked_file <- function(trials) {
 }
 
 read_yoked <- function(path) {
-  open_gaze_study(study_description("gaze-contingent-yoked"), c(path, "--out", tempdir()))
+  open_gaze_study(study_description("gaze-contingent-yoked"), path)
 }
 
 # Models of an intercept alone, which is what was planted.

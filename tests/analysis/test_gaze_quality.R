@@ -18,7 +18,7 @@ quality_study <- function() {
       loss = replace(loss, 9, "off screen")),
     data.frame(trial = 3, sample = 1:3, taken_ns = 1e9 + (1:3) * 2e6, loss = NA)
   ))
-  open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+  open_gaze_study(study_description("gaze-contingent"), path)
 }
 
 test_that("rate, losses and latency of a participant are those counted by hand", {
@@ -58,7 +58,7 @@ test_that("a study whose gaze was never sampled has dashes, and no latency", {
   trials <- gaze_trials(141, participants = 1, repetitions = 1)
   trials$gaze_latency_p95_ms <- NA
   path <- write_gaze_study(tempfile(fileext = ".sqlite"), trials)
-  study <- open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+  study <- open_gaze_study(study_description("gaze-contingent"), path)
   table <- gaze_quality(study)
   expect_equal(table$samples, 0)
   expect_match(gaze_quality_lines(table)[3], "\\| – \\| – \\| – \\| – \\| 0 \\| – \\| – \\| 0 \\| 0 \\|$")

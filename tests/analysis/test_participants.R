@@ -25,9 +25,9 @@ test_that("a participant without a rating in some cell is not complete", {
   expect_equal(rownames(complete_participants(means)), "P2")
 })
 
-test_that("means to be drawn carry their levels and their place on the axis", {
+test_that("means to be drawn carry their levels", {
   rows <- means_with_intervals(labelled_trials(), c("delay_ms", "speed_deg_s"))
-  expect_equal(rows$x, c(0, 0, 0, 100, 100, 100))
+  expect_equal(rows$delay_ms, rep(c("0", "100"), each = 3))
   expect_equal(rows$speed_deg_s, c("5", "10", "15", "5", "10", "15"))
   expect_equal(rows$mean, c(5, 10, 15, 105, 110, 115) + 500)  # P2 is 1000 above P1
 })

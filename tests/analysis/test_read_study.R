@@ -152,14 +152,10 @@ test_that("kinds of scheduling have one order, whatever that of the protocol", {
   expect_equal(in_kinds_order(c("slips", "launches")), c("slips", "launches"))
 })
 
-test_that("a factor of three words or more is known by its ratios", {
-  of <- response_model("rating")
-  has <- function(effects) has_words(list(rows = data.frame(family = kOddsFamily,
-    effect = effects)), of, "kind")
-  expect_true(has(c("kind: tracked against all-good", "kind: random against all-good")))
-  expect_false(has("kind: slips against launches"))
-  expect_false(has(c("kind: 100 against 0", "kind: 300 against 0")))
-  expect_false(has(c("other: b against a", "other: c against a")))
+test_that("a factor of three words or more is told from two words and from numbers", {
+  expect_true(has_many_words(factor(c("tracked", "random", "all-good"))))
+  expect_false(has_many_words(factor(c("slips", "launches"))))
+  expect_false(has_many_words(factor(c(0, 100, 300))))
 })
 
 test_that("ratios near 0 are told by their first digits", {

@@ -97,7 +97,7 @@ test_that("collisions with a face of the view are out and counted, for no list i
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   DBI::dbExecute(study, "UPDATE collision SET body_b = 'wall right' WHERE step % 4 = 0")
   DBI::dbDisconnect(study)
-  opened <- open_distribution_study(study_description("scheduler-distribution"), c(path, "--out", tempdir()))
+  opened <- open_distribution_study(study_description("scheduler-distribution"), path)
   expect_equal(opened$walls, nrow(planted) / 4)
   expect_equal(nrow(opened$collisions), nrow(planted) * 3 / 4)
   expect_true(paste("Left out: 300 collisions with a face of the view, which no list is made for.")
@@ -108,16 +108,17 @@ test_that("schedulers stand in the order of the thesis, the projected gap under 
   planted <- planted_collisions(606, n = 50)
   planted$scheduler <- factor(planted$scheduler, c("projected-centres", "collision-speed", "gap",
     "eccentricity", "size", "velocity"))
-  opened <- open_distribution_study(study_description("scheduler-distribution"), c(distribution_file(planted), "--out", tempdir()))
+  opened <- open_distribution_study(study_description("scheduler-distribution"), distribution_file(planted))
   expect_equal(levels(opened$collisions$scheduler), c("size", "velocity", "eccentricity", "gap",
     "projected-centres", "collision-speed"))
 })
 
 test_that("a shape that geometry rules out is NOT met and the reason stands beside it", {
   row <- data.frame(scheduler = "eccentricity", place = "distance_m", change = -0.24, step = 0.6)
-  expect_equal(shape_sentence(row, "flat"), paste("eccentricity: a flat share over depth was",
+  reason <- Find(function(shape) shape[[1]][1] == "eccentricity", kExpectedShapes)[[4]]
+  expect_equal(shape_sentence(row, "flat", reason), paste("eccentricity: a flat share over depth was",
     "expected and is NOT met (the share changes by −0.24 from the 5th to the 95th percentile, ±0.10",
     "is flat). Depth is the distance from the eye: the farthest places are the far face's corners,",
     "and near the eye a body's own size keeps it from the edges."))
-  expect_no_match(shape_sentence(transform(row, change = 0.01), "flat"), "Depth is")
+  expect_no_match(shape_sentence(transform(row, change = 0.01), "flat", reason), "Depth is")
 })

@@ -6,7 +6,7 @@ kDelaysTestedMs <- c(0, 33.333, 66.667, 100, 150, 200, 300)
 
 gap_study <- function(trials, ...) {
   path <- write_threshold_study(tempfile(fileext = ".sqlite"), trials, "gap-thresholds", ...)
-  open_threshold_study(study_description("gap-thresholds"), c(path, "--out", tempdir()))
+  open_threshold_study(study_description("gap-thresholds"), path)
 }
 
 test_that("likelihood and prior at the fit are no worse than on a grid over all parameters", {
