@@ -1,9 +1,5 @@
 // Files of recorded gaze: a table with a line of names, separated by commas, tabs or semicolons.
 //
-//   lines   blank ones are passed over; quotation marks stand around whole cells, end in their
-//   line,
-//           and are doubled within; blanks around a cell are no part of it; lines of fewer or more
-//           cells than the first are refused, and bytes that are zero
 //   time    time_s, time_ms, time_us, stimulus_time_s (`impetus export`)
 //                                        from the stimulus's onset
 //           TIMESTAMP (EyeLink, ms), gaze_timestamp (Pupil, s), Recording timestamp [ms] or [µs]
@@ -30,9 +26,9 @@
 
 namespace impetus::inline files {
 
-/// Throws InputError: a file that cannot be read or is no table, a line of names without time or
-/// place, with two units at once or a name twice, a time that goes back, and each cell of these
-/// columns that says none of the above.
+/// Throws InputError: a file that cannot be read or is no table (see table_lines.hpp), a line of
+/// names without time or place, with two units at once or a name twice, a time that goes back, and
+/// each cell of these columns that says none of the above.
 GazeRecording load_gaze_recording(const std::filesystem::path& file);
 
 }  // namespace impetus::inline files
