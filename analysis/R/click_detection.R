@@ -104,6 +104,17 @@ gains_table <- function(fits, kind) {
     clicks_dropped = vapply(fits, `[[`, 0, "dropped"), row.names = NULL)
 }
 
+# The gains and the kernels as tables of a report; none without a regression.
+click_tables <- function(detection) {
+  if (is.null(detection$kernels)) return(list())
+  list(
+    list(name = "gains", title = "What was clicked at: each participant's gains",
+      rows = detection$gains, heads = sentence_case(gsub("_", " ", names(detection$gains)))),
+    list(name = "kernels", title = "Clicks per second that a collision adds, by the time since it",
+      rows = detection$kernels, heads = c("Collision", "From (ms)", "To (ms)", "Participants", "Mean",
+        "95 % CI, from", "to")))
+}
+
 # Clicks per collision and second at each lag: means over participants with t intervals.
 kernel_table <- function(fits) {
   if (length(fits) == 0) return(NULL)

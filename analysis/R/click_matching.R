@@ -81,16 +81,3 @@ matching_words <- function(matching) {
     row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
       sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
 }
-
-# The table over windows as Markdown.
-matching_lines <- function(matching) {
-  matching$window <- sprintf("%.0f to %.0f", matching$from_ms, matching$to_ms)
-  per_window <- matching$false_alarms_per_free_window
-  matching$false_alarms_per_free_window <- ifelse(is.finite(per_window), per_window, NA)
-  table_as_markdown(matching, c(window = "%s", bad_events = "%.0f", hit_rate = "%.2f",
-    false_alarms_per_s = "%.3f", clicks_at_good = "%.0f", clicks_at_nothing = "%.0f",
-    free_windows = "%.0f", false_alarms_per_free_window = "%.2f", d_prime = "%.2f",
-    criterion = "%.2f"),
-    c("window (ms)", "bad events", "hit rate", "false alarms per second", "clicks at good",
-      "clicks at nothing", "event-free windows", "false alarms per such window", "d′", "criterion"))
-}

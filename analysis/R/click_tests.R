@@ -9,33 +9,12 @@ trials_with_exposure <- function(trials) {
   trials[!is.na(trials$exposure_s) & trials$exposure_s > 0, ]
 }
 
-has_cell_without_clicks <- function(trials) {
-  clicks <- tapply(trials$clicks, list(trials$scheduling, droplevels(trials$bodies)), sum)
-  anyNA(clicks) || any(clicks == 0)
-}
-
-# Likelihood-ratio tests of scheduling, bodies and their interaction, and rate ratios against the
-# first level, as an outcome.
-click_model_tests <- function(trials) {
-  trials <- trials_with_exposure(trials)
-  reason <- why_no_model(trials, "scheduling", "clicks")
-  if (!is.null(reason)) return(outcome(remarks = reason))
-  factors <- varying_factors(trials, c("scheduling", "bodies"))
-  fitted <- factor_tests(trials, factors, "clicks")
-  models <- fitted$models$scheduling
-  if (is.null(models) || !is.null(models$failure)) return(outcome(fitted$rows, fitted$remarks))
-  result <- outcome(fitted$rows, c(fitted$remarks, dispersion_remark(models)))
-  if (length(factors) < 2 || has_cell_without_clicks(trials)) return(result)
-  both <- fit_models(trials, c(factors, "scheduling:bodies"), "scheduling:bodies",
-    "scheduling:bodies", "clicks", "mixed model of clicks with interaction")
-  all_outcomes(result,
-    model_tests(both, trials, "scheduling:bodies", families = c(kClickInteractionFamily, NA)))
-}
-
 # One row per kind of scheduling and number of bodies, and per kind alone ("all"): total clicks (the
-# thesis's fig. 6.19), clicks per trial, clicks per second with a 95 % interval, clicks per bad event.
+# thesis's fig. 6.19), clicks per trial, clicks per second with a 95 % interval, clicks per bad event;
+# NULL where no exposure is known.
 click_table <- function(trials) {
   trials <- trials_with_exposure(trials)
+  if (nrow(trials) == 0) return(NULL)
   cells <- c(split(trials, trials[c("bodies", "scheduling")], drop = TRUE),
     split(trials, droplevels(trials$scheduling)))
   rows <- each_row(cells, function(cell) {

@@ -42,9 +42,13 @@ save_time <- function() {
 # A file that stands beside the code.
 code_file <- function(name) file.path(getOption("impetus.analysis"), "R", name)
 
-# The command of a study: analysis/NAME.R reports on the study NAME (studies.R).
+# The command of a study: analysis/NAME.R is the report of the study NAME (studies.R) alone.
 run_study_command <- function(script) {
-  run_command(script, function(words) report_study(sub("[.]R$", "", basename(script)), words))
+  name <- sub("[.]R$", "", basename(script))
+  run_command(script, function(words) {
+    report_page(read_arguments(words, sprintf("Rscript analysis/%s.R study.sqlite --out report/", name)),
+      name)
+  })
 }
 
 # Stops with one sentence for the user, which run_command says.

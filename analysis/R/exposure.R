@@ -101,18 +101,11 @@ exposure_sentences <- function(study) {
   unmeasured <- bad[is.na(bad$visible_gap_arcmin), ]
   unseen <- sum(is.na(study$trials$exposure_s))
   c(
-    if (nrow(unmeasured) > 0) sprintf("The gap was not measured in %s of %s. %s",
-      format(nrow(unmeasured), big.mark = ","), count_of(nrow(bad), "bad collision"),
-      fill_in_words(study$trials[unique(unmeasured$row), ], "to have it")),
+    if (nrow(unmeasured) > 0) sprintf(paste("The gap was not measured in %s of %s:",
+      "`impetus replay STUDY --truth` measures it."), format(nrow(unmeasured), big.mark = ","),
+      count_of(nrow(bad), "bad collision")),
     if (all(is.na(study$trials$merge_within_ms)))
       "The protocol names no merge_within_ms, so every collision is an event of its own.",
     if (unseen > 0) sprintf("No frame was recorded of %s, left out of the rates of clicks.",
       count_of(unseen, "trial")))
-}
-
-exposure_lines <- function(table) {
-  format <- ifelse(endsWith(names(kExposureMeasures), "share"), "%.3f", "%.1f")
-  table_as_markdown(table, c(scheduling = "%s", bodies = "%s", trials = "%d",
-    stats::setNames(format, names(kExposureMeasures))),
-    c("scheduling", "bodies", "trials", kExposureMeasures))
 }

@@ -1,12 +1,10 @@
 # What all figures have in common: sizes, colours, axes, and the files they become.
 #
-# The figure of a study's own command is 183 mm wide (PNG and PDF), one of a report 85 mm, a journal's
-# column (SVG and PDF). Text is 7 pt; colours are Okabe and Ito's (2008), and shapes say the same
+# A figure is 85 mm wide, a journal's column, or 183 mm, its page (SVG and PDF). Text is 7 pt; colours are Okabe and Ito's (2008), and shapes say the same
 # again.
 # SPDX-License-Identifier: MIT
 
-kFigureWidthMm <- 183
-kFigureHeightMm <- 74
+kPageWidthMm <- 183
 kColumnWidthMm <- 85
 kColumnHeightMm <- 66
 kTextPt <- 7
@@ -15,49 +13,22 @@ kLevelShapes <- c(16, 17, 15, 18, 3, 4, 8)
 
 inches <- function(mm) mm / 25.4
 
-# Writes <stem>.png and <stem>.pdf of the grob that `figure` returns when a device is open to measure
-# text on, and returns their paths. It is made once, for the page that is printed, and drawn on both.
-write_figure <- function(figure, stem, height_mm = kFigureHeightMm) {
-  files <- paste0(stem, c(".png", ".pdf"))
-  size <- inches(c(kFigureWidthMm, height_mm))
-  grDevices::cairo_pdf(files[2], size[1], size[2])
-  made <- figure()
-  grid::grid.draw(made)
-  grDevices::dev.off()
-  grDevices::png(files[1], size[1], size[2], "in", res = 600, type = "cairo")
-  grid::grid.draw(made)
-  grDevices::dev.off()
-  files
-}
-
 # Writes <stem>.svg and .pdf of a report's figure and returns the path of the first.
-write_column_figure <- function(figure, stem) {
-  height <- if (is.null(figure$height_mm)) kColumnHeightMm else figure$height_mm
+write_figure <- function(figure, stem) {
+  width <- inches(c(figure$width_mm, kColumnWidthMm)[1])
+  height <- inches(c(figure$height_mm, kColumnHeightMm)[1])
   svg <- paste0(stem, ".svg")
-  grDevices::svg(svg, inches(kColumnWidthMm), inches(height))
+  grDevices::svg(svg, width, height)
   made <- ggplot2::ggplotGrob(figure$plot)
   grid::grid.draw(made)
   grDevices::dev.off()
-  grDevices::cairo_pdf(paste0(stem, ".pdf"), inches(kColumnWidthMm), inches(height))
+  grDevices::cairo_pdf(paste0(stem, ".pdf"), width, height)
   grid::grid.draw(made)
   grDevices::dev.off()
   # Cairo counts the pictures of a process: the same figure is to be the same file.
   lines <- readLines(svg, encoding = "UTF-8")
   writeLines(sub("id=\"surface[0-9]+\"", "id=\"surface\"", lines), svg, useBytes = TRUE)
   svg
-}
-
-# Panels side by side as one grob, with letters where there are several; the first, which holds the
-# most, is `first` times as wide as another.
-panels_beside <- function(panels, first) {
-  if (length(panels) > 1) {
-    panels <- Map(function(panel, letter) panel + ggplot2::labs(tag = letter), panels,
-      letters[seq_along(panels)])
-  }
-  grobs <- lapply(unname(panels), ggplot2::ggplotGrob)
-  whole <- grobs[[1]]
-  whole$widths[whole$layout$l[whole$layout$name == "panel"]] <- grid::unit(first, "null")
-  do.call(cbind, c(list(whole), grobs[-1], size = "first"))
 }
 
 # "speed_deg_s" -> "Speed (°/s)"; a name without a known unit keeps its words. A study's own label,

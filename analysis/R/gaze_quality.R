@@ -1,7 +1,7 @@
 # How good the gaze was, how fast the display followed it and how well it was calibrated, one row per
 # participant.
 #
-#   gaze_sample ──────> samples per second, share lost by reason
+#   gaze_trial ───────> samples per second, share lost by reason
 #   rated_trial ──────> source, sample to flip, trials over the limits
 #   gaze_calibration ─> calibrations and tries, what the correction moved, what validation and drift
 #                       checks left
@@ -19,6 +19,33 @@
 
 kGoodLatencyMs <- 60
 kWarnLatencyMs <- 70
+
+# What the page shows of the gaze of a protocol's trials that are analysed, where it was followed: words
+# on its calibration and tables as part_results.R has them; NULL elsewhere.
+gaze_shown <- function(path, protocol) {
+  of <- function(view) analysed_rows(path, protocol, rows_of_view(path, view, protocol))
+  trials <- of("rated_trial")
+  trials <- trials[trials$phase == "main", ]
+  views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
+  if (all(is.na(trials$gaze_source)) || !"gaze_trial" %in% views) return(NULL)  # data of before
+  study <- list(trials = trials, gaze = of("gaze_trial"),
+    calibrations = rows_of_view(path, "gaze_calibration", protocol))
+  calibration <- calibration_quality(study)
+  list(words = calibration_sentences(calibration), tables = Filter(Negate(is.null), list(
+    list(name = "gaze", title = "The gaze", rows = gaze_quality(study), heads = kGazeHeads),
+    if (any(calibration$calibrations > 0)) list(name = "calibration",
+      title = "Calibration of the gaze", rows = calibration, heads = kCalibrationHeads,
+      note = paste("Accuracy: mean distance from gaze to point. Shift and stretch: of the correction that",
+        "the last calibration made, at the screen's centre and the larger of the two axes'. Validation:",
+        "the last one, after it.")))))
+}
+
+kGazeHeads <- c("Participant", "Source", "Trials", "Trials followed", "Samples", "Samples per second",
+  "Share lost in blinks", "off screen", "lost", "Trials timed", "Sample to flip, p95, median trial (ms)",
+  "largest (ms)", "Trials over 70 ms", "Trials marked late")
+kCalibrationHeads <- c("Participant", "Calibrations", "Accuracy before correction (°)", "Shift (mm)",
+  "Stretch", "Validation: accuracy (°)", "worst point (°)", "precision, RMS (°)", "Drift checks",
+  "Largest drift (°)", "Not passed")
 
 # `row(who, rows_of)` of each participant; rows_of(table) are those of that one.
 for_each_participant <- function(study, row) {
@@ -51,9 +78,8 @@ gaze_quality <- function(study) {
 
 largest_known <- function(x) if (all(is.na(x))) NA_real_ else max(x, na.rm = TRUE)
 
-# What a reader must know of the gaze before believing a result. `without`: where the results stand
-# without the trials that were marked late.
-gaze_sentences <- function(trials, without = "the planned contrast is given without them too") {
+# What a reader must know of the gaze before believing a result.
+gaze_sentences <- function(trials) {
   known <- trials$gaze_latency_p95_ms[!is.na(trials$gaze_latency_p95_ms)]
   if (all(is.na(trials$gaze_source))) return("The gaze was not followed.")
   if (length(known) == 0) {
@@ -69,7 +95,8 @@ gaze_sentences <- function(trials, without = "the planned contrast is given with
     if (over == 0) "In no trial did the 95th percentile exceed 70 ms." else sprintf(paste(
     "The 95th percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials",
     "are in every analysis%s."), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
-    if (late == 1) "is" else "are", if (late > 0) paste0("; ", without) else ""))
+    if (late == 1) "is" else "are",
+    if (late > 0) "; the tables of sensitivity show the comparisons without them" else ""))
 }
 
 source_sentences <- function(trials) {
@@ -84,20 +111,6 @@ source_sentences <- function(trials) {
         where),
       sprintf("Gaze from %s in %s.", source, where))
   }, "", USE.NAMES = FALSE)
-}
-
-gaze_quality_lines <- function(quality) {
-  quality$participant <- as_typed(quality$participant)
-  quality$followed <- sprintf("%d of %d", quality$trials_followed, quality$trials)
-  shares <- c("blink_share", "off_screen_share", "lost_share")
-  quality[shares] <- 100 * quality[shares]
-  table_as_markdown(quality, c(participant = "%s", gaze_source = "%s", followed = "%s",
-    samples_per_s = "%.0f", blink_share = "%.1f", off_screen_share = "%.1f", lost_share = "%.1f",
-    trials_timed = "%d", latency_median_ms = "%.1f", latency_largest_ms = "%.1f",
-    trials_over_70_ms = "%d", trials_late = "%d"),
-    c("participant", "gaze source", "trials followed", "samples per second", "blink (%)",
-      "off screen (%)", "lost (%)", "trials timed", "sample to flip, p95, median trial (ms)",
-      "largest (ms)", "trials > 70 ms", "trials marked late"))
 }
 
 calibration_quality <- function(study) {
@@ -133,21 +146,4 @@ calibration_sentences <- function(table) {
       paste(count_of(sum(table$not_passed), "calibration, validation or drift check"),
         if (sum(table$not_passed) == 1) "was" else "were"),
       and_words(as_typed(table$participant[table$not_passed > 0]))))
-}
-
-calibration_section <- function(table) {
-  if (all(table$calibrations == 0)) return(character())
-  table$participant <- as_typed(table$participant)
-  table$stretch <- 100 * table$stretch
-  c(
-    table_as_markdown(table, c(participant = "%s", calibrations = "%d", accuracy_before_deg = "%.2f",
-      shift_mm = "%.1f", stretch = "%.1f", validation_accuracy_deg = "%.2f",
-      validation_worst_deg = "%.2f", validation_precision_rms_deg = "%.3f", drift_checks = "%d",
-      drift_largest_deg = "%.2f", not_passed = "%d"),
-      c("participant", "calibrations", "accuracy before correction (°)", "shift (mm)",
-        "stretch (%)", "validation: accuracy (°)", "worst point (°)", "precision, RMS (°)",
-        "drift checks", "largest drift (°)", "not passed")),
-    "", paste("Accuracy: mean distance from gaze to point. Shift and stretch: of the correction that",
-      "the last calibration made, at the screen's centre and the larger of the two axes'. Validation:",
-      "the last one, after it."), "")
 }

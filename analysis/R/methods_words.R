@@ -100,6 +100,8 @@ part_methods <- function(part) {
       press = "Participants clicked once in each stimulus, which ended it; its time from onset is analysed.",
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",
       threshold = scale_sentence(part),
+      scheduling = sprintf("Pairs of kinds compared: %s.", paste(vapply(part$pairs, pair_words, ""),
+        collapse = "; ")),
       answer = if (!is.null(part$choices)) sprintf("Participants chose one of %d answers.", part$choices) else
         if (part$kind == "two_interval") "Participants chose one of two intervals." else
           "Participants answered yes or no."))
@@ -120,7 +122,8 @@ analysis_words <- function(parts) {
 }
 
 package_versions <- function(kinds) {
-  models <- list(rating = "ordinal", answer = "lme4", threshold = "lme4", clicks = c("glmmTMB", "lme4"))
+  models <- list(rating = "ordinal", answer = "lme4", threshold = "lme4", clicks = c("glmmTMB", "lme4"),
+    scheduling = "ordinal")
   packages <- unique(c(unlist(lapply(kinds, function(kind) c(models[[kind]], "afex"))), "ggplot2"))
   packages <- packages[vapply(packages, requireNamespace, NA, quietly = TRUE)]
   paste(packages, vapply(packages, function(p) as.character(utils::packageVersion(p)), ""))

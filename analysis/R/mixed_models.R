@@ -148,7 +148,7 @@ ratio_row <- function(family, method, effect, estimate, size_name, trials) {
 }
 
 # Likelihood-ratio tests and ratios of each tested factor, as an outcome with `models` (by factor)
-# and `trials` as they were fitted. `interactions`: "a:b" of two factors, of ratings, tested beside.
+# and `trials` as they were fitted. `interactions`: "a:b" of two factors, of ratings or clicks, tested beside.
 factor_tests <- function(trials, factors, response = "rating", tested = factors,
                          interactions = character()) {
   of <- response_model(response)
@@ -166,33 +166,38 @@ factor_tests <- function(trials, factors, response = "rating", tested = factors,
     model_tests(fitted, trials, factor)
   }, models, tested)))
   if (length(interactions) > 0) {
-    tests <- all_outcomes(tests, interaction_tests(trials, factors, interactions))
+    tests <- all_outcomes(tests, interaction_tests(trials, factors, interactions, response))
   }
   c(tests, list(models = models, trials = trials))
 }
 
-# Likelihood-ratio tests of each interaction of ratings, "a:b" of two factors, among all of them, and
+# Likelihood-ratio tests of each interaction, "a:b" of two factors, among all of them, and of ratings
 # ratios of odds ratios, as an outcome.
-interaction_tests <- function(trials, factors, interactions) {
-  endless <- Filter(function(interaction) has_one_sided_cell(trials, interaction), interactions)
+interaction_tests <- function(trials, factors, interactions, response = "rating") {
+  of <- response_model(response)
+  endless <- Filter(function(interaction) has_endless_cell(trials, interaction, response), interactions)
   if (length(endless) > 0) {
     return(outcome(remarks = sprintf(paste(
-      "In a cell of %s there is no rating or only the lowest or the highest, so the mixed model",
-      "with interactions has no finite estimate and was not fitted."
-    ), paste(gsub(":", " × ", endless), collapse = " and of "))))
+      "In a cell of %s there is no %s, so the %s with interactions has no finite estimate and was not",
+      "fitted."), paste(gsub(":", " × ", endless), collapse = " and of "),
+      if (response == "clicks") "click" else "rating or only the lowest or the highest", of$kind)))
   }
+  # In this order R calls the coefficients of an interaction as it is called here.
+  factors <- unique(c(unlist(strsplit(interactions, ":", fixed = TRUE)), factors))
   do.call(all_outcomes, lapply(interactions, function(interaction) {
     say_progress(model_step(gsub(":", " × ", interaction)))
-    kind <- "mixed model with interactions"
-    models <- fit_models(trials, c(factors, interactions), interaction, interaction,
-      kind = paste(kind, "for the test of", gsub(":", " × ", interaction)))
-    model_tests(models, trials, interaction, kind, c(kInteractionFamily, kInteractionOddsFamily))
+    kind <- paste(of$kind, "with interactions")
+    models <- fit_models(trials, c(factors, interactions), interaction, interaction, response,
+      paste(kind, "for the test of", gsub(":", " × ", interaction)))
+    model_tests(models, trials, interaction, kind, c(of$interactions, of$interaction_ratios))
   }))
 }
 
 # Is there a cell of the interaction "a:b" that an estimate would push to infinity?
-has_one_sided_cell <- function(trials, interaction) {
-  cells <- split(as.integer(trials$rating), trials[strsplit(interaction, ":", fixed = TRUE)[[1]]])
+has_endless_cell <- function(trials, interaction, response = "rating") {
+  of <- droplevels(trials[strsplit(interaction, ":", fixed = TRUE)[[1]]])
+  if (response == "clicks") return(any(vapply(split(trials$clicks, of), sum, 0) == 0))
+  cells <- split(as.integer(trials$rating), of)
   ends <- range(as.integer(trials$rating))
   any(vapply(cells, function(cell) all(cell == ends[1]) || all(cell == ends[2]), NA))
 }

@@ -104,9 +104,7 @@ contrast_rows <- function(two, response, row) {
   overall <- outcome(row(alone, coefficient, kOverall), alone$remarks)
   if (!"bodies" %in% terms) return(overall)
   # Would an estimate of the interaction be pushed to infinity?
-  endless <- if (response == "rating") has_one_sided_cell(two, "scheduling:bodies") else
-    has_cell_without_clicks(two)
-  if (endless) {
+  if (has_endless_cell(two, "scheduling:bodies", response)) {
     return(all_outcomes(overall, outcome(remarks = paste(
       "A cell of the planned contrast holds one end of the scale only, so the mixed model gives it",
       "overall alone."))))

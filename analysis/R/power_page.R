@@ -99,7 +99,7 @@ write_power_page <- function(path, folder) {
   question <- power_question(ledger)
   rates <- power_rates(ledger)
   figure <- power_figure(rates, question)
-  svg <- write_column_figure(figure, file.path(folder, "power"))
+  svg <- write_figure(figure, file.path(folder, "power"))
   write_table(rates, file.path(folder, "power.csv"))
   writeLines(enc2utf8(power_page(ledger, question, rates, figure, svg)),
     file.path(folder, "power.html"), useBytes = TRUE)

@@ -84,7 +84,7 @@ power_tests <- function(part, question) {
     if (length(question$factors) > 0) question$factors else
       if (part$response == "threshold") part$split else unname(part$factors)
   if (length(tested) == 0) {
-    refuse(part$files[1], ": expected a factor between whose levels the ", part$response,
+    refuse(part$file, ": expected a factor between whose levels the ", part$response,
       "s can be compared, got none")
   }
   if (part$response == "threshold") return(power_tests_of_thresholds(part, tested, question))

@@ -56,6 +56,7 @@ time_words <- function(seconds) {
 
 kMeansStep <- "testing the participants' means ..."
 kFunctionsStep <- "fitting psychometric functions ..."
+kContrastStep <- "fitting the mixed models of pairs of kinds ..."
 kHierarchicalStep <- "fitting the hierarchical model of all answers ..."
 kClickRegressionStep <- "regressing the click rate on the collisions before ..."
 model_step <- function(factor) sprintf("fitting the mixed model for %s ...", factor)
@@ -74,17 +75,20 @@ steps_of_results <- function(part) {
   if (part$response == "threshold") {
     return(c(stats::setNames(10 * share, kFunctionsStep), stats::setNames(20 * share, kHierarchicalStep)))
   }
+  if (part$response == "scheduling") return(stats::setNames(10 * share, kContrastStep))
   if (is_by_means(part)) return(stats::setNames(2, kMeansStep))
   links <- if (part$response != "clicks") unlist(lapply(factors, link_step, kOtherLinks))
+  terms <- c(factors, gsub(":", " × ", described_interactions(part)))
   seconds <- 0.3 + c(rating = 1, answer = 5, clicks = 10)[[part$response]] * share
   c(
-    stats::setNames(rep(2 * seconds, length(factors)), vapply(factors, model_step, "")),
+    stats::setNames(rep(2 * seconds, length(terms)), vapply(terms, model_step, "")),
     if (part$response == "clicks") stats::setNames(10 * share, kClickRegressionStep),
     stats::setNames(2, kMeansStep), stats::setNames(rep(seconds, length(links)), links))
 }
 
 steps_of_figures <- function(part) {
   names <- if (part$response == "threshold") c("curves", "thresholds") else
+    if (part$response == "scheduling") vapply(contrasts_drawn(part), `[[`, "", "name") else
     vapply(c(as.list(unname(part$factors)), figure_pairs(part)), figure_name, "")
   stats::setNames(rep(1, length(names)), vapply(names, figure_step, "", part = part))
 }

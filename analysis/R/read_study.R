@@ -1,4 +1,4 @@
-# Reads the main trials of one protocol from study files, by the documented views alone.
+# Reads the main trials of one protocol from a study file, by the documented views alone.
 #
 #   rated_trial ─┐
 #   trial_level ─┴─> trials: one row per rating, one column per factor
@@ -6,61 +6,28 @@
 #   excluded, ... ─────> trials_analysed.R: what is left out, and what else must be known
 #
 # Invariant: every rating returned was given on one and the same scale, in the main phase, outside
-# catch trials, and is not excluded; every participant is one person: a pseudonym is never in two
-# files.
+# catch trials, and is not excluded.
 # SPDX-License-Identifier: MIT
 
 kViews <- c("rated_trial", "trial_level", "enrolment_summary", "excluded", "interrupted_attempt",
   "set_aside_attempt", "trial_response")
 kScaleColumns <- c("rating_minimum", "rating_maximum", "rating_best", "low_anchor", "high_anchor")
 
-# Returns list(protocol, trials, enrolments, factors, scale, hashes, files, catch, exclusions,
-# interrupted, timed_out).
-#
-# `factors`: names without unit; "delay" finds the factor delay or delay_<unit>. In `trials` they
-# are R factors with their levels in rising order; study$factors maps name to column. `views`:
-# further views that every file must have.
-read_studies <- function(paths, protocol, factors, views = character()) {
-  study <- read_trials(paths, protocol, "rated_trial", "rated main trials", views)
-  study <- with_factor_columns(study, factors)
-  c(study, list(scale = one_scale(study)))
-}
-
-# The main trials of one protocol in a view that has a row per trial, of all files together.
-# `what`: the words for them; `where`: a further condition on the view's rows.
-read_trials <- function(paths, protocol, view, what, views = character(), where = "1") {
-  repeated <- basename(paths[duplicated(normalizePath(paths, mustWork = FALSE))])
-  if (length(repeated) > 0) refuse(repeated[1], ": was given twice")
-  parts <- lapply(paths, read_one_study, protocol, view, c(kViews, views), where)
-  study <- lapply(stats::setNames(nm = names(parts[[1]])), function(part) {
-    each_row(parts, `[[`, part)
-  })
-  study$files <- basename(paths)
-  if (is.null(study$trials)) {
-    refuse_without_answers(file_names(study), ": expected ", what, " of '", protocol,
-      "', got none yet")
-  }
-  refuse_shared_pseudonyms(study$enrolments)
+# The main trials of one protocol in a view that has a row per trial: list(protocol, trials, levels,
+# enrolments, hashes, path, file, catch, exclusions, interrupted, timed_out). `what`: the words for them;
+# `where`: a further condition on the view's rows.
+read_trials <- function(path, protocol, view, what, where = "1") {
+  study <- read_rows(path, protocol, view, where)
+  study$path <- path
+  study$file <- basename(path)
   study$protocol <- protocol
   study$hashes <- unique(study$trials$protocol_hash)
-  without_left_out(study, what)
+  if (nrow(study$trials) > 0) return(without_left_out(study, what))
+  refuse_without_answers(study$file, ": expected ", what, " of '", protocol, "', got none yet")
 }
 
-file_names <- function(study) paste(study$files, collapse = ", ")
-
-# What tells trials of all files apart.
-trial_key <- function(rows) paste(rows$path, rows$trial)
-
-# The study with a column for each of its factors, and study$factors.
-with_factor_columns <- function(study, factors) {
-  mine <- study$levels[trial_key(study$levels) %in% trial_key(study$trials), ]
-  study$factors <- factor_columns(mine, factors, file_names(study))
-  for (column in study$factors) study$trials[[column]] <- factor_of_trials(study$trials, mine, column)
-  study
-}
-
-read_one_study <- function(path, protocol, view, views, where) {
-  study <- withr::local_db_connection(open_study(path, views))
+read_rows <- function(path, protocol, view, where) {
+  study <- withr::local_db_connection(open_study(path))
   ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
   enrolments <- ask("SELECT * FROM enrolment_summary WHERE protocol = ?")
   if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
@@ -68,12 +35,8 @@ read_one_study <- function(path, protocol, view, views, where) {
   # As text: a view's column may hold numbers and words, an R column cannot.
   levels <- ask("SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level",
     "WHERE trial IN (SELECT trial FROM", answered, ")")
-  mark <- function(rows) {
-    if (nrow(rows) > 0) cbind(rows, file = basename(path), path = path) else NULL
-  }
-  c(list(trials = mark(ask("SELECT * FROM", answered, "ORDER BY participant, slot")),
-    levels = mark(levels), enrolments = mark(enrolments)),
-    read_remarkable(study, protocol, enrolments, mark))
+  c(list(trials = ask("SELECT * FROM", answered, "ORDER BY participant, slot"), levels = levels,
+    enrolments = enrolments), read_remarkable(study, protocol, enrolments))
 }
 
 # A read-only connection to a study file, or a refusal where one of `views` is absent.
@@ -116,16 +79,12 @@ protocol_titles <- function(path, protocol) {
 }
 
 # The rows of "SELECT trial, ... FROM view" for the study's own trials: `row` is the number of their
-# row in study$trials, and participant is that row's. `ending`: of the query, or a function that gives
-# it for the file at a path.
+# row in study$trials, and participant is that row's. `ending`: of the query.
 rows_of_trials <- function(study, select, ending = "") {
-  rows <- each_row(unique(study$trials$path), function(path) {
-    rows <- query_study(path, paste(select, "WHERE protocol = ? AND phase = 'main'",
-      if (is.function(ending)) ending(path) else ending), study$protocol)
-    mine <- which(study$trials$path == path)
-    rows$row <- mine[match(rows$trial, study$trials$trial[mine])]
-    rows[!is.na(rows$row), ]
-  })
+  rows <- query_study(study$path, paste(select, "WHERE protocol = ? AND phase = 'main'", ending),
+    study$protocol)
+  rows$row <- match(rows$trial, study$trials$trial)
+  rows <- rows[!is.na(rows$row), ]
   rows$participant <- study$trials$participant[rows$row]
   rows
 }
@@ -136,35 +95,13 @@ refuse_protocol <- function(study, path, protocol) {
     if (length(others) == 0) "no protocol at all" else paste0("'", others, "'", collapse = ", "))
 }
 
-refuse_shared_pseudonyms <- function(enrolments) {
-  homes <- unique(enrolments[c("participant", "path", "file")])
-  twice <- homes$participant[duplicated(homes$participant)]
-  if (length(twice) == 0) return(invisible())
-  refuse("participant ", twice[1], " is in ",
-    paste(homes$file[homes$participant == twice[1]], collapse = " and in "),
-    ": expected every pseudonym in one file only")
-}
-
-# The column that holds each factor: the name itself or the name and a unit.
-factor_columns <- function(levels, factors, files) {
-  present <- unique(levels$factor)
-  vapply(factors, function(name) {
-    found <- present[present == name | startsWith(present, paste0(name, "_"))]
-    if (length(found) == 1) return(found)
-    refuse(files, ": expected one factor '", name, "' or '", name,
-      "_<unit>' in every main trial, got ",
-      paste(if (length(found) > 1) found else present, collapse = ", "))
-  }, "")
-}
-
-# The factor `name` of each trial, called `column` where it is refused.
-factor_of_trials <- function(trials, levels, column, name = column) {
+# The factor `name` of each trial, called `column` where a trial of the `file` has none.
+factor_of_trials <- function(trials, levels, column, name, file) {
   mine <- levels[levels$factor == name, ]
-  value <- mine$level[match(trial_key(trials), trial_key(mine))]
+  value <- mine$level[match(trials$trial, mine$trial)]
   if (anyNA(value)) {
-    first <- which(is.na(value))[1]
-    refuse(trials$file[first], ": expected a level of ", column, " in every main trial, trial ",
-      trials$trial[first], " has none")
+    refuse(file, ": expected a level of ", column, " in every main trial, trial ",
+      trials$trial[is.na(value)][1], " has none")
   }
   number <- suppressWarnings(as.numeric(value))
   if (!anyNA(number)) return(factor(number))

@@ -14,8 +14,11 @@ kReportViews <- list(
   set_aside_attempt = list(), click_trial = list(), trial_click = list(),
   seen_collision = list(columns = c("participant", "protocol", "trial", "phase", "step", "body_a",
     "body_b", "level", "stopped", "imposed_hold_ms", "eccentricity_deg", "gap_arcmin",
-    "hidden_share", "time_s", "gaze_eccentricity_deg", "imposed_spin_a_x_rad_s")),
+    "hidden_share", "time_s", "distance_m", "speed_deg_s", "list", "gaze_eccentricity_deg", sprintf("imposed_spin_%s_rad_s",
+      c("a_x", "a_y", "a_z", "b_x", "b_y", "b_z")))),
   popped_step = list(), gaze_calibration = list(), session_provenance = list())
+
+kReadViews <- c(names(kReportViews), "gaze_sample")  # of which samples are only counted
 
 # Columns of words among those that a view computes; all others that it computes are numbers.
 kComputedWords <- c("trial_level.factor", "trial_level.level")
@@ -29,16 +32,33 @@ kDesignLevelSql <- "SELECT protocol.name AS protocol, protocol.hash AS protocol_
   FROM protocol, json_each(protocol.protocol_json, '$.design.factors') AS factor,
   json_each(factor.value, '$.levels') AS level WHERE json_valid(protocol.protocol_json)"
 
+kMadeCounts <- c("place", "number", "trial", "samples", "blink", "off_screen", "lost")
+
+# The samples of the gaze in each stimulus, counted; by trial in a file of before schema 13, which does
+# not tell two stimuli apart.
+gaze_trial_sql <- function(study) {
+  fields <- DBI::dbGetQuery(study, "SELECT name FROM pragma_table_info('gaze_sample')")$name
+  paste("SELECT protocol, participant, phase, trial, count(*) AS samples,",
+    "sum(loss IS 'blink') AS blink, sum(loss IS 'off screen') AS off_screen,",
+    "sum(loss IS 'lost') AS lost, CAST(max(time_s) - min(time_s) AS REAL) AS span_s",
+    "FROM gaze_sample GROUP BY trial", if ("interval" %in% fields) ", interval")
+}
+
 # Writes the tables of the study at `path` to `folder`.
 write_report_data <- function(path, folder) {
-  study <- withr::local_db_connection(open_study(path, names(kReportViews)))
+  study <- withr::local_db_connection(open_study(path, kReadViews))
   DBI::dbExecute(study, "BEGIN")
   columns <- each_row(names(kReportViews), function(view) write_view(study, view, folder))
-  designs <- DBI::dbGetQuery(study, kDesignLevelSql)
+  made <- list(design_level = DBI::dbGetQuery(study, kDesignLevelSql),
+    gaze_trial = DBI::dbGetQuery(study, gaze_trial_sql(study)))
   DBI::dbExecute(study, "COMMIT")
-  write_rows(designs, folder, "design_level")
-  write_rows(rbind(columns, data.frame(view = "design_level", column = names(designs),
-    type = ifelse(names(designs) %in% c("place", "number"), "INTEGER", "TEXT"))), folder, "columns")
+  columns <- rbind(columns, each_row(names(made), function(name) {
+    write_rows(made[[name]], folder, name)
+    fields <- names(made[[name]])
+    data.frame(view = name, column = fields, type = ifelse(fields == "span_s", "REAL",
+      ifelse(fields %in% kMadeCounts, "INTEGER", "TEXT")))
+  }))
+  write_rows(columns, folder, "columns")
   write_rows(data.frame(study = basename(path),
     read_utc = format(Sys.time(), "%Y-%m-%d %H:%M UTC", tz = "UTC")), folder, "study")
   invisible(folder)

@@ -1,4 +1,4 @@
-# Results in words: sentences on each test, a caption, and the file that holds them.
+# Results in words: sentences on each test.
 #
 # Three rules: a p above .05 is never called "no difference" (the equivalence tests speak to that);
 # beside every test's own p stands the one corrected within its family, by name; and what is said to
@@ -76,12 +76,6 @@ interaction_words <- function(tests, response = "rating") {
   }, "")
 }
 
-# One other factor: what the model found, then what the equivalence tests show.
-other_factor_words <- function(tests, factor) {
-  c(model_words(tests, factor),
-    equivalence_words(level_comparisons(tests, kEquivalenceFamily, factor), factor))
-}
-
 equivalence_words <- function(rows, factor) {
   if (nrow(rows) == 0) return(character())
   shown <- rows$p_holm < kSignificance
@@ -128,18 +122,6 @@ friedman_words <- function(tests, factor) {
   if (nrow(row) == 0) return(character())
   sprintf("Friedman's test, %s: %s, Kendall's W = %.2f.", plain_name(factor),
     chi_squared_words(row), row$effect_size)
-}
-
-pooled_words <- function(tests, main) {
-  rows <- tests_of(tests, kPooledFamily)
-  row <- rows[rows$effect == main, ]
-  if (nrow(row) == 0) return(character())
-  apart <- rows[rows$effect != main, ]
-  place <- strsplit(sub("^.* at ", "", apart$effect), " ", fixed = TRUE)
-  each <- vapply(place, function(words) paste(name_and_unit(words[1]), words[2]), "")
-  separately <- paste0("; at ", each, ", ", both_p_words(apart), collapse = "")
-  sprintf("As in the thesis, a pooled single-factor ANOVA (treats trials as independent): %s%s.",
-    F_words(row), if (nrow(apart) == 0) "" else separately)
 }
 
 # "speed_deg_s" -> "speed", "speed (°/s)"
@@ -189,16 +171,3 @@ largest_p <- function(rows) {
   largest <- data.frame(p = max(rows$p), p_holm = max(rows$p_holm))
   paste(if (largest$p_holm < 0.001) "all" else "largest", both_p_words(largest))
 }
-
-# What the figure shows, for beneath it.
-figure_caption <- function(trials, main, beside, simulated) {
-  shown <- nrow(complete_participants(participant_means(trials, main)))
-  split <- vapply(varying_factors(trials, beside), name_and_unit, "")
-  paste0(
-    "Mean rating by ", name_and_unit(main), ", ", count_of(max(shown, 1), who_words(simulated)),
-    ". ", if (shown > 1) "Bars: within-participant 95 % confidence intervals (Cousineau–Morey). ",
-    "Thin lines: participants, shifted sideways a little to keep them apart.",
-    if (length(split) > 0) paste0(" Beside it, the same by ", paste(split, collapse = " and by "),
-      "."))
-}
-

@@ -24,7 +24,7 @@ kClickInteractionFamily <- "clicks, interaction"
 response_model <- function(response) {
   switch(response,
     rating = list(effects = kEffectsFamily, ratios = kOddsFamily,
-      interactions = kInteractionFamily, kind = "mixed model",
+      interactions = kInteractionFamily, interaction_ratios = kInteractionOddsFamily, kind = "mixed model",
       model = "cumulative-link mixed model", noun = "ratings",
       size = "odds ratio of a higher rating",
       method = function(kind, attempt) {
@@ -42,7 +42,7 @@ response_model <- function(response) {
         fit_answer_model(trials, terms, attempt[["random"]])
       }),
     clicks = list(effects = kClickFamily, ratios = kClickRatioFamily,
-      interactions = kClickInteractionFamily,
+      interactions = kClickInteractionFamily, interaction_ratios = NA,
       kind = "mixed model of clicks", model = "mixed model of clicks", noun = "clicks",
       size = "rate ratio",
       method = function(kind, attempt) sprintf("%s %s, log exposure as offset, %s",

@@ -12,15 +12,16 @@
 #   click_trial ─────────────────────────┬───> "clicks"             counts in a time
 #                                        └───> "press"              when the first came, where it ended
 #                                                                   the stimulus
+#   a study of kinds of scheduling ──────────> "scheduling"         their pairs (scheduling_part.R)
 #
-# A part is a study as read_studies gives it, with `response`, `factors` (every factor of the design
+# A part is a study as read_trials gives it, with `response`, `factors` (every factor of the design
 # that varies, in columns of `trials`) and `noun`. Where a part cannot be read its `why` says it.
 # SPDX-License-Identifier: MIT
 
 kFewestThresholdLevels <- 4
 kFewestFunctionTrials <- 40  # of a participant in a condition, of levels that the plan set
 # Columns that models make themselves.
-kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file", "cell",
+kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "cell",
   "mean", "low", "high", "positive")
 
 # Every part of a protocol that has answers in the main phase, and list(why) of those refused.
@@ -29,6 +30,7 @@ parts_of_protocol <- function(path, protocol) {
   kinds <- unique(answers$kind[answers$phase == "main" & answers$kind %in% kThresholdKinds])
   ratings <- rows_of_view(path, "rated_trial", protocol)
   clicks <- rows_of_view(path, "click_trial", protocol)
+  study <- study_description(protocol)
   parts <- c(
     if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
     unlist(lapply(kinds, answer_parts, path = path, protocol = protocol), recursive = FALSE),
@@ -39,8 +41,10 @@ parts_of_protocol <- function(path, protocol) {
     if (any(clicks$phase == "main")) {
       list(read_part(if (all(clicks$first_ends == 1)) press_part(path, protocol) else
         click_part(path, protocol)))
-    })
-  Filter(Negate(is.null), parts)
+    },
+    if (identical(study$kind, "scheduling") && any(ratings$phase == "main"))
+      list(read_part(scheduling_part(path, study))))
+  lapply(Filter(Negate(is.null), parts), as_described)
 }
 
 # A refusal becomes list(why), for the page to say.
@@ -145,14 +149,18 @@ threshold_part <- function(part) {
   part$response <- "threshold"
   part$factors <- c(level = axis, stats::setNames(nm = setdiff(part$factors, axis)))
   levels <- as.numeric(as.character(part$trials[[axis]]))
-  part$log10 <- all(levels > 0) && max(levels) >= 10 * min(levels)
-  with_scale_and_condition(part, realised_hold = is_realised_hold(part$trials, axis, levels))
+  study <- study_description(part$protocol)
+  if (identical(study$kind, "thresholds")) part$study <- study
+  part$log10 <- if (!is.null(part$study)) study$log10 else
+    all(levels > 0) && max(levels) >= 10 * min(levels)
+  with_scale_and_condition(part, realised_hold = if (!is.null(part$study)) study$realised_hold else
+    is_realised_hold(part$trials, axis, levels))
 }
 
 # The part itself or, where a usual participant has too few trials in a condition for a function,
-# list(why).
+# list(why). Whoever describes a study of thresholds wants what there is.
 why_no_function <- function(part) {
-  if (is_tracked(part)) return(part)
+  if (is_tracked(part) || !is.null(part$study)) return(part)
   each <- table(part$trials$participant, part$trials$condition_of)
   usual <- stats::median(each[each > 0])
   if (usual >= kFewestFunctionTrials) return(part)
@@ -193,7 +201,7 @@ click_part <- function(path, protocol) {
   read_response("clicks", path, protocol, "clicked_trial", "main trials with clicks", function(part) {
     part$trials <- trials_with_exposure(part$trials)
     if (nrow(part$trials) == 0) {
-      refuse(part$files[1], ": expected frames of the trials with clicks, got none, so how long one",
+      refuse(part$file, ": expected frames of the trials with clicks, got none, so how long one",
         " could click is not known and clicks are not analysed")
     }
     part$trials$click_rate <- part$trials$clicks / part$trials$exposure_s
@@ -208,7 +216,7 @@ press_part <- function(path, protocol) {
   part$trials$press_s <- part$trials$first_click_s
   clicked <- !is.na(part$trials$press_s)
   if (!any(clicked)) {
-    refuse_without_answers(part$files[1], ": expected main trials with a click of '", protocol,
+    refuse_without_answers(part$file, ": expected main trials with a click of '", protocol,
       "', got none yet")
   }
   part$unclicked <- part$trials[!clicked, ]
@@ -223,16 +231,16 @@ is_by_means <- function(part) part$response %in% c("mark", "press")
 # A column for each factor of any main trial, under its own name or, where that is taken,
 # factor_NAME: R factors with their levels in rising order.
 with_every_factor <- function(part) {
-  mine <- part$levels[trial_key(part$levels) %in% trial_key(part$trials), ]
+  mine <- part$levels[part$levels$trial %in% part$trials$trial, ]
   names <- unique(mine$factor)
   names <- c(intersect(names(getOption("impetus.levels")), names),
     setdiff(names, names(getOption("impetus.levels"))))
-  if (length(names) == 0) refuse(part$files[1], ": expected a design with factors, got none")
+  if (length(names) == 0) refuse(part$file, ": expected a design with factors, got none")
   taken <- names %in% c(names(part$trials), kTakenColumns)
   part$factors <- stats::setNames(ifelse(taken, paste0("factor_", names), names), names)
   for (name in names) {
     column <- part$factors[[name]]
-    part$trials[[column]] <- factor_of_trials(part$trials, mine, column, name)
+    part$trials[[column]] <- factor_of_trials(part$trials, mine, column, name, part$file)
   }
   part
 }
@@ -249,7 +257,8 @@ with_factors_that_vary <- function(part) {
 
 # The title of a part's section.
 title_of_part <- function(part) {
-  switch(part$response, rating = "Ratings", clicks = "Clicks",
+  switch(part$response, rating = "Ratings", clicks = "Clicks", scheduling = "Kinds of scheduling",
+    distribution = "Which collisions come first",
     mark = sprintf("Marks: %s", part$question), press = "Times of the click",
     threshold = sprintf("Thresholds of %s", name_and_unit(part$axis)),
     answer = if (!is.null(part$option)) sprintf("Choices of “%s”", part$option) else

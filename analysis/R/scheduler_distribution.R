@@ -1,7 +1,7 @@
 # The study of schedulers, in which nobody takes part: which collisions does each put first?
 #
-#   seen_collision, trial_level ─> collisions ─┬─> histograms, shares: two figures, .csv
-#                                              └─> shapes, met or not: .md, -shapes.csv
+#   seen_collision, trial_level ─> collisions ─┬─> histograms, shares: two figures
+#                                              └─> shapes, met or not: words and a table
 #
 #   change  share at the 95th minus share at the 5th percentile, of a straight line through all
 #           collisions: how much the share of high priority rises (+) or falls (−)
@@ -14,65 +14,52 @@
 
 kPriorityColours <- c(high = "#D55E00", low = "#56B4E9")
 
-open_distribution_study <- function(study, paths) {
-  parts <- lapply(paths, read_distribution, study$protocol)
-  together <- function(part) each_row(parts, `[[`, part)
-  collisions <- together("collisions")
-  if (is.null(collisions)) {
-    refuse(paste(basename(paths), collapse = ", "), ": expected collisions of '", study$protocol,
-      "' with their distance, got none yet")
+# What the page shows of a study of schedulers (part_results.R); NULL of others, and without collisions.
+distribution_results <- function(path, protocol) {
+  if (!identical(study_description(protocol)$kind, "distribution")) return(NULL)
+  found <- placed_collisions(path, protocol)
+  if (NROW(found$collisions) == 0) return(NULL)
+  shapes <- shape_table(found$collisions)
+  bins <- histogram_table(found$collisions)
+  figure <- function(name, plot, caption) {
+    list(name = name, plot = plot, caption = caption, width_mm = kPageWidthMm,
+      height_mm = 20 + 24 * nlevels(found$collisions$scheduler))
   }
-  seen <- unique(collisions$scheduler)
-  order_of <- c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance")
-  collisions$scheduler <- factor(collisions$scheduler, unique(c(intersect(order_of, seen), seen)))
-  c(study, list(collisions = collisions, walls = sum(together("walls")),
-    unknown = sum(together("unknown")), left_out = sum(together("left_out")),
-    exclusions = together("exclusions")))
+  list(part = list(protocol = protocol, response = "distribution"),
+    tests = combine_outcomes(outcome(remarks = paste("Every collision is a data point of one",
+      "simulated run: numbers describe, nothing is tested."))),
+    paragraphs = c(list(distribution_sentences(found)), as.list(shape_sentences(shapes))),
+    figures = list(
+      figure("histograms", histogram_panel(bins), paste("Collisions of high (list 0) and low priority",
+        "by place (thesis figs. 6.11 to 6.16).")),
+      figure("shares", share_panel(bins),
+        "Share of high priority in each bin, with 95 % Wilson intervals.")),
+    tables = list(
+      list(name = "shapes", title = "Shapes", rows = transform(shapes, place = kPlaces[place]),
+        heads = c("Scheduler", "Over", "Collisions", "Share of high priority", "Change of the share",
+          "Put right by the best cut")),
+      list(name = "bins", rows = bins)))
 }
 
-# list(collisions, walls, unknown, left_out, exclusions) of one file; list 0 is that of high priority.
-# Collisions with a wall are out and counted: the thesis has none, and thresholds are solved on pairs
-# of bodies.
-read_distribution <- function(path, protocol) {
-  study <- withr::local_db_connection(open_study(path, c(kViews, "seen_collision")))
-  enrolments <- DBI::dbGetQuery(study, "SELECT * FROM enrolment_summary WHERE protocol = ?",
-    params = list(protocol))
-  if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
+# list(collisions, walls, unknown): the collisions of the trials that are analysed, with their
+# scheduler; list 0 is that of high priority. Collisions with a wall are out and counted: the thesis has
+# none, and thresholds are solved on pairs of bodies.
+placed_collisions <- function(path, protocol) {
+  fields <- query_study(path, "SELECT name FROM pragma_table_info('seen_collision')")$name
+  if (!all(c(names(kPlaces), "list") %in% fields)) return(list())  # data of before
   places <- sprintf("CAST(%s AS REAL) AS %s", names(kPlaces), names(kPlaces))
-  rows <- DBI::dbGetQuery(study, paste("SELECT participant, trial, body_a, body_b,",
-    paste(places, collapse = ", "), ", list = 0 AS high,",
+  rows <- analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial, body_a,",
+    "body_b,", paste(places, collapse = ", "), ", list = 0 AS high,",
     "CAST(trial_level.level AS TEXT) AS scheduler FROM seen_collision",
     "JOIN trial_level USING (trial) WHERE protocol = ? AND phase = 'main'",
-    "AND trial_level.factor = 'scheduler'"), params = list(protocol))
-  mark <- function(x) if (nrow(x) > 0) cbind(x, file = basename(path), path = path) else NULL
-  if (nrow(rows) == 0) return(list(walls = 0, unknown = 0, left_out = 0))
-  exclusions <- read_remarkable(study, protocol, enrolments, mark)$exclusions
-  rows <- mark(rows)
+    "AND trial_level.factor = 'scheduler'"), protocol))
   wall <- is_wall(rows$body_a) | is_wall(rows$body_b)
-  rows <- rows[!wall, setdiff(names(rows), c("body_a", "body_b"))]
-  out <- is_excluded(rows, exclusions)
   known <- stats::complete.cases(rows[names(kPlaces)])
   rows$high <- rows$high == 1
-  kept <- rows[known & !out, ]
-  list(collisions = if (isTRUE(nrow(kept) > 0)) kept, walls = sum(wall), unknown = sum(!known & !out),
-    left_out = sum(out), exclusions = exclusions)
-}
-
-report_distribution_study <- function(study) {
-  shapes <- shape_table(study$collisions)
-  bins <- histogram_table(study$collisions)
-  say_progress("drawing the figures ...")
-  draw <- function(panel, ending) {
-    write_figure(function() ggplot2::ggplotGrob(panel(bins)), output_path(study, ending),
-      20 + 24 * nlevels(study$collisions$scheduler))
-  }
-  figures <- c(draw(histogram_panel, "-histograms"), draw(share_panel, "-shares"))
-  write_outputs(study, outcome(bins, paste("Every collision is a data point of one simulated run:",
-    "numbers describe, nothing is tested.")), paste("-", shape_sentences(shapes)),
-    distribution_sentences(study), c(paste("Histograms: collisions of high (list 0) and low",
-      "priority by place (thesis figs. 6.11 to 6.16)."), "",
-      "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
-    shape_section(shapes), figures, list(shapes = shapes), left_out = distribution_exclusions(study))
+  seen <- unique(rows$scheduler)
+  order_of <- c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance")
+  rows$scheduler <- factor(rows$scheduler, unique(c(intersect(order_of, seen), seen)))
+  list(collisions = droplevels(rows[!wall & known, ]), walls = sum(wall), unknown = sum(!known & !wall))
 }
 
 distribution_sentences <- function(study) {
@@ -89,22 +76,6 @@ distribution_sentences <- function(study) {
       count_of(study$walls, "collision")),
     if (study$unknown > 0) sprintf("Without a recorded distance, speed or eccentricity, left out: %s.",
       count_of(study$unknown, "collision")))
-}
-
-distribution_exclusions <- function(study) {
-  excluded <- study$exclusions
-  if (is.null(excluded)) return("Nobody and no trial is left out.")
-  c(sprintf("Left out: %s.", count_of(study$left_out, "collision")), "",
-    markdown_table(c("participant", "trial", "reason", "decided"), sprintf("%s | %s | %s | %s",
-      as_typed(excluded$participant), ifelse(is.na(excluded$trial), "all", excluded$trial),
-      as_typed(excluded$reason), excluded$decided_utc)))
-}
-
-shape_section <- function(shapes) {
-  shapes$place <- kPlaces[shapes$place]
-  c("## Shapes", "", table_as_markdown(shapes, c(scheduler = "%s", place = "%s", collisions = "%d",
-    high_share = "%.3f", change = "%+.3f", step = "%.3f"), c("scheduler", "over", "collisions",
-    "share of high priority", "change of the share", "put right by the best cut")), "")
 }
 
 histogram_panel <- function(bins) {

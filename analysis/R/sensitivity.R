@@ -19,7 +19,7 @@ sensitivity_tables <- function(part, fitted, measure, everything, clicked) {
   if (participant_count(part$trials) < 2 || length(part$factors) == 0) return(list())
   links <- if (!is.null(fitted$models) && part$response != "clicks") link_sensitivity(part, fitted)
   pooled <- each_row(unname(part$factors), function(factor) {
-    pooled_tests(part$trials, factor, of = measure$of)$rows
+    pooled_rows(part, factor, measure)
   })
   list(
     list(name = "sensitivity-data", title = "Sensitivity: which trials are in",
@@ -37,13 +37,26 @@ sensitivity_tables <- function(part, fitted, measure, everything, clicked) {
       note = "Descriptive only: at more than one event a second, windows bias d′ downwards."),
     if (!is.null(pooled)) list(name = "sensitivity-pooled", title = "The pooled test over trials",
       heads = c("Factor", "F", "df", "df of the error", "p"),
-      rows = data.frame(factor = vapply(pooled$effect, label_of, ""), F = pooled$statistic,
+      rows = data.frame(factor = pooled$effect, F = pooled$statistic,
         df1 = pooled$df1, df2 = pooled$df2, p = pooled$p, row.names = NULL),
       note = sprintf(paste("A pooled test treats trials as independent, which they are not: of",
         "ratings, 81 of each of 20 participants who differ in their slopes (standard deviation .7",
         "logit), it rejected in %.0f %% of 2,000 simulated studies without any effect, instead of",
         "5 %%. For other numbers and other answers the rate differs, and is not known. It is given",
         "for comparison with older work, and is no evidence; p uncorrected."), 100 * kPooledNullRate)))
+}
+
+# The pooled tests of a factor, by its label; of the one that a described study is about also at each
+# level of its second, as the thesis has them.
+pooled_rows <- function(part, factor, measure) {
+  by <- if (identical(factor, factor_called(part, part$study$factors[1])))
+    factor_called(part, part$study$factors[2])
+  rows <- pooled_tests(part$trials, factor, as.character(by), measure$of)$rows
+  if (is.null(rows)) return(NULL)
+  at <- substring(rows$effect, nchar(paste(factor, "at", by)) + 2)
+  rows$effect <- paste0(label_of(factor), ifelse(at == "", "", sprintf(" at %s: %s",
+    name_and_unit(by), at)))
+  rows
 }
 
 # Which trials each choice of data keeps: a named list of data frames.

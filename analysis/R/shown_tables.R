@@ -123,7 +123,7 @@ gaze_shown_sentences <- function(rows) {
   rows <- rows[rows$phase == "main", ]
   lost <- rows$gaze_lost_share[!is.na(rows$gaze_lost_share)]
   if (nrow(rows) == 0) return(character())
-  c(gaze_sentences(rows, "the tables of sensitivity show the comparisons without them"),
+  c(gaze_sentences(rows),
     if (length(lost) > 0) sprintf(paste("The gaze was lost for %.1f %% of the stimulus on average",
       "(at most %.1f %% of a trial)."), 100 * mean(lost), 100 * max(lost)))
 }

@@ -1,14 +1,14 @@
-# The studies that have a command of their own, as data: analysis/NAME.R reports on the study that
-# analysis/studies/NAME.dcf describes, field by field:
+# The studies that are described, as data: studies/NAME.dcf of the protocol NAME. Its report (study_page.R)
+# says what is asked and has what its description names beside what every report has; analysis/NAME.R
+# is the report of that protocol alone. Field by field:
 #
 #   Title, Question, Thesis  of the report; what is asked; what the thesis found
-#   Kind     ratings (rating_study.R), thresholds (threshold_study.R), accuracy (accuracy_study.R),
-#            scheduling (gaze_study.R) or distribution (scheduler_distribution.R)
+#   Kind     ratings, thresholds, accuracy, scheduling (scheduling_part.R) or, without participants,
+#            distribution (scheduler_distribution.R)
 #   Factors  without units, the one of interest first
-#   Views    that a file must have beside those of every study
+#   Interactions       are those of the first factor with each other one tested? (ratings, scheduling)
 #
-#   ratings: Interactions       are those of the first factor with each other one tested?
-#            Shown              what else a trial showed: gaps, spin, clicks (shown_in_trials.R)
+#   ratings: Shown              what else a trial showed: gaps, spin (shown_in_trials.R)
 #            Depths, Depths of  what the three levels of a tree are called, and what they are
 #   thresholds: Scale           logarithmic, or the factor's own
 #               Level           realised freeze: of the display's frames, or that of the plan
@@ -21,19 +21,24 @@
 
 kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
 
-# The study of this name as list(protocol, title, kind, factors, views, ...).
+# The study of this name as list(protocol, title, kind, factors, views, ...); NULL where none is
+# described.
 study_description <- function(name) {
-  fields <- read.dcf(file.path(getOption("impetus.analysis"), "studies", paste0(name, ".dcf")))[1, ]
+  file <- file.path(getOption("impetus.analysis"), "studies", paste0(name, ".dcf"))
+  if (!file.exists(file)) return(NULL)
+  fields <- read.dcf(file)[1, ]
   has <- function(field) field %in% names(fields)
   words <- function(field, sign = ", ") {
     if (has(field)) strsplit(fields[[field]], sign, fixed = TRUE)[[1]]
   }
+  said <- function(field) if (has(field)) gsub("[[:space:]]+", " ", fields[[field]])
   pairs <- lapply(Filter(has, c("Planned", "Beside")), function(field) {
     two <- words(field, " - ")
     list(of = two[1], against = two[2], planned = field == "Planned")
   })
-  list(protocol = name, title = fields[["Title"]], kind = fields[["Kind"]],
-    factors = words("Factors"), views = words("Views"), shown = words("Shown"),
+  list(protocol = name, title = fields[["Title"]], question = said("Question"), found = said("Thesis"),
+    kind = fields[["Kind"]],
+    factors = words("Factors"), shown = words("Shown"),
     interactions = has("Interactions"),
     depth_names = if (has("Depths")) list(words("Depths"), fields[["Depths of"]]),
     log10 = has("Scale"), realised_hold = has("Level"), kinds = words("Kinds"), pairs = pairs,
@@ -43,21 +48,25 @@ study_description <- function(name) {
     })))
 }
 
-# Reports on the study of this name, from the files that `words` of the command line name. Refuses
-# before anything is written.
-report_study <- function(name, words) {
-  study <- study_description(name)
-  # What reads the study, what tests, writes and says everything, and packages beside those of all.
-  kind <- switch(study$kind,
-    ratings = list(open_rating_study, report_rating_study, c("ordinal", "lme4", "afex")),
-    thresholds = list(open_threshold_study, report_threshold_study, c("lme4", "afex")),
-    accuracy = list(open_accuracy_study, report_accuracy_study, "afex"),
-    scheduling = list(open_gaze_study, report_gaze_study, c("ordinal", "lme4", "afex")),
-    distribution = list(open_distribution_study, report_distribution_study))
-  arguments <- read_arguments(words, sprintf(
-    "Rscript analysis/%s.R study.sqlite [more.sqlite ...] --out figures/", name))
-  need_packages(c("RSQLite", unlist(kind[-(1:2)]), "ggplot2"))
-  opened <- kind[[1]](study, arguments$studies)
-  prepare_folder(arguments$out)
-  kind[[2]](c(opened, out = arguments$out))
+# The part of a report as its study is described: with `study`, the description, where its kind is of
+# this response, and levels of a tree by their names.
+as_described <- function(part) {
+  study <- study_description(part$protocol)
+  of <- list(ratings = "rating", accuracy = "answer", scheduling = c("rating", "clicks"))
+  if (is.null(study) || !isTRUE(part$response %in% of[[study$kind]])) return(part)
+  part$study <- study
+  with_depths_named(part)
+}
+
+# The column of the factor `name`, with or without a unit, among those that vary; NULL without it.
+factor_called <- function(part, name) {
+  column <- part$factors[part$factors == name | startsWith(part$factors, paste0(name, "_"))]
+  if (length(column) == 1) unname(column)
+}
+
+# The interactions that a part's study tests: of its first factor with each other one that varies.
+described_interactions <- function(part) {
+  columns <- lapply(part$study$factors, function(name) factor_called(part, name))
+  if (!isTRUE(part$study$interactions) || is.null(columns[[1]])) return(character())
+  sprintf("%s:%s", columns[[1]], unlist(columns[-1]))
 }

@@ -11,14 +11,41 @@ packages_for_data <- function(data) {
   if (nrow(utils::read.csv(file.path(data, "click_trial.csv"), nrows = 1)) > 0) "glmmTMB"
 }
 
+# Makes the report of a study file, or of the data/ of an earlier report; `arguments`: as
+# read_arguments() gives them; `only`: of this protocol alone, else of all.
+report_page <- function(arguments, only = NULL) {
+  need_packages(kReportPackages)
+  study <- arguments$studies
+  if (length(study) > 1) {
+    refuse("expected one study file, got ", length(study), "; `impetus merge` makes one of several")
+  }
+  if (!dir.exists(study)) refuse_without_protocol(study, only)
+  data <- file.path(arguments$out, "data")
+  lapply(c(arguments$out, data), prepare_folder)
+  if (dir.exists(study)) copy_report_data(study, data) else write_report_data(study, data)
+  need_packages(packages_for_data(data))
+  write_study_report(arguments$out, only)
+  end_progress()
+  say_progress("wrote ", file.path(arguments$out, "report.html"), ", figures/ and tables/")
+}
+
+# Refuses a file that is no study or, where a protocol is named, has nobody who takes part in it.
+refuse_without_protocol <- function(path, protocol) {
+  study <- withr::local_db_connection(open_study(path, kReadViews))
+  if (is.null(protocol)) return(invisible())
+  enrolled <- DBI::dbGetQuery(study, "SELECT 1 FROM enrolment_summary WHERE protocol = ?", list(protocol))
+  if (nrow(enrolled) == 0) refuse_protocol(study, path, protocol)
+}
+
 # Makes the whole report in `folder` from the data in folder/data.
-write_study_report <- function(folder) {
+write_study_report <- function(folder, only = NULL) {
   for (part in c("figures", "tables")) dir.create(file.path(folder, part), showWarnings = FALSE)
   path <- study_of_report_data(file.path(folder, "data"))
   withr::local_options(design_words(path))
   about <- utils::read.csv(file.path(folder, "data/study.csv"), colClasses = "character")
   protocols <- query_study(path,
     "SELECT DISTINCT protocol FROM enrolment_summary ORDER BY protocol")$protocol
+  if (!is.null(only)) protocols <- intersect(protocols, only)
   parts <- lapply(protocols, parts_of_protocol, path = path)
   expect_steps(unlist(lapply(parts, steps_of_parts)))
   body <- if (length(protocols) == 0) "<p>Nobody has been enrolled yet.</p>" else
@@ -57,18 +84,25 @@ protocol_lines <- function(protocol, parts, path, folder) {
   results <- lapply(parts, function(part) {
     results_of_part(part, if (nrow(part$exclusions) > 0) trials_with_excluded(path, part))
   })
+  results <- c(results, Filter(Negate(is.null), list(distribution_results(path, protocol))))
   c(sprintf("<h2 id=\"%s\">%s</h2>", anchor_of(protocol), html_text(protocol)),
-    sprintf("<p>%s</p>", html_text(protocol_titles(path, protocol))),
+    sprintf("<p>%s</p>", html_text(protocol_titles(path, protocol))), question_lines(protocol),
     simulated_lines(path, protocol), "<h3>Participants and exclusions</h3>",
     html_table(participants_table(path, protocol), kParticipantHeads),
     unlist(lapply(parts, part_data_lines)), design_lines(parts),
-    "<h3>What was really shown</h3>", shown_lines(path, protocol),
+    "<h3>What was really shown</h3>", shown_lines(path, protocol), gaze_lines(path, protocol, folder),
     html_paragraphs(vapply(refused, `[[`, "", "why")),
-    if (length(parts) + length(refused) == 0) paste0("<h3>Results</h3><p>There are no answers of the",
+    if (length(results) + length(refused) == 0) paste0("<h3>Results</h3><p>There are no answers of the",
       " main phase yet, or the protocol asks for none: nothing was tested.</p>"),
     unlist(lapply(results, result_lines, folder = folder)), "<h3>Methods, in words</h3>",
     html_paragraphs(paste(methods_sentences(path, protocol, parts), collapse = " ")),
     "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(parts))), "</ul>")
+}
+
+# What a study that is described asks, and what the thesis found.
+question_lines <- function(protocol) {
+  study <- study_description(protocol)
+  html_paragraphs(c(study$question, if (!is.null(study$found)) paste("The thesis:", study$found)))
 }
 
 # The box that stands above results that are of nobody but simulated participants.
@@ -79,8 +113,9 @@ simulated_lines <- function(path, protocol) {
 }
 
 part_data_lines <- function(part) {
+  if (part$response == "scheduling") return(NULL)  # the trials with a rating, whose lines stand before
   words <- c(participants_sentence(part), exclusions_sentence(part), unclicked_sentence(part),
-    unbalanced_sentence(part), catch_sentence(part), hashes_sentence(part))
+    unbalanced_sentence(part), catch_sentence(part), hashes_sentence(part), part$depths)
   c(sprintf("<h4>%s: what is in the analysis</h4>", html_text(title_of_part(part))),
     html_paragraphs(paste(words, collapse = " ")), html_of_lines(left_out_section(part)))
 }
@@ -98,7 +133,7 @@ design_of_parts <- function(parts) {
   }))
   whole <- parts[[1]]
   trials <- each_row(parts, function(part) rbind(part$trials[columns], part$unclicked[columns]))
-  whole$trials <- trials[!duplicated(trial_key(trials)), ]
+  whole$trials <- trials[!duplicated(trials$trial), ]
   whole$levels <- each_row(parts, `[[`, "levels")
   with_factors_that_vary(with_every_factor(whole))
 }
@@ -140,6 +175,22 @@ shown_lines <- function(path, protocol) {
       "Level reached, mean"))
 }
 
+gaze_lines <- function(path, protocol, folder) {
+  gaze <- gaze_shown(path, protocol)
+  c(html_paragraphs(paste(gaze$words, collapse = " ")), table_lines(gaze$tables, anchor_of(protocol), folder))
+}
+
+# Tables (list of list(name, title, rows, heads, note)) on the page, but for those without a title, and
+# each as a file of its own.
+table_lines <- function(tables, name, folder) {
+  unlist(lapply(tables, function(table) {
+    write_table(table$rows, file.path(folder, "tables", paste0(name, "-", table$name, ".csv")))
+    if (!is.null(table$title)) c(sprintf("<h4>%s</h4>", html_text(table$title)),
+      html_table(table$rows, table$heads),
+      if (!is.null(table$note)) sub("<p>", "<p class=\"note\">", html_paragraphs(table$note)))
+  }))
+}
+
 # Figures, words, tables and files of a part.
 result_lines <- function(result, folder) {
   part <- result$part
@@ -147,15 +198,11 @@ result_lines <- function(result, folder) {
   figures <- unlist(lapply(seq_along(result$figures), function(i) {
     figure <- result$figures[[i]]
     say_progress(figure_step(part, figure$name))
-    svg <- write_column_figure(figure, file.path(folder, "figures", anchor_of(name, figure$name)))
+    svg <- write_figure(figure, file.path(folder, "figures", anchor_of(name, figure$name)))
     html_figure(svg, paste0(name, "-", i), figure$caption)
   }))
   write_table(result$tests$rows, file.path(folder, "tables", paste0(name, "-tests.csv")))
-  tables <- unlist(lapply(result$tables, function(table) {
-    write_table(table$rows, file.path(folder, "tables", paste0(name, "-", table$name, ".csv")))
-    c(sprintf("<h4>%s</h4>", html_text(table$title)), html_table(table$rows, table$heads),
-      if (!is.null(table$note)) sprintf("<p class=\"note\">%s</p>", html_text(table$note)))
-  }))
+  tables <- table_lines(result$tables, name, folder)
   c(sprintf("<h3>%s</h3>", html_text(title_of_part(part))),
     if (!is.null(part$scale)) html_paragraphs(scale_words(part$scale)), figures,
     "<h4>Results in words</h4>",

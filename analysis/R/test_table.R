@@ -62,12 +62,3 @@ markdown_table <- function(heads, rows) {
   sprintf("|%s|", c(paste0(" ", paste(heads, collapse = " | "), " "),
     paste(rep("---", length(heads)), collapse = "|"), if (length(rows) > 0) paste0(" ", rows, " ")))
 }
-
-# A data frame as Markdown. `columns`: the format of each, named by the column; NULL in place of one
-# writes its words, NA is a dash. `heads`: the words above.
-table_as_markdown <- function(table, columns, heads) {
-  cells <- Map(function(name, format) or_dash(table[[name]], format), names(columns), columns)
-  markdown_table(heads, do.call(paste, c(unname(cells), sep = " | ")))
-}
-
-or_dash <- function(x, format) ifelse(is.na(x), "–", sprintf(format, x))

@@ -5,20 +5,6 @@
 #   thresholds:  by condition: each participant's, and the mean with its 95 % t interval
 # SPDX-License-Identifier: MIT
 
-kPanelHeightMm <- 42
-
-# Writes both figures and returns their paths.
-write_threshold_figures <- function(study, functions) {
-  rows <- ceiling(length(unique(functions$rows$participant)) / 5)
-  c(
-    write_figure(function() ggplot2::ggplotGrob(curves_panel(study, functions)),
-      output_path(study, "-curves"), height_mm = 22 + rows * kPanelHeightMm),
-    if (any(functions$rows$use)) write_figure(function() {
-      ggplot2::ggplotGrob(thresholds_panel(study, functions$rows))
-    }, output_path(study, "-thresholds"))
-  )
-}
-
 threshold_captions <- function(study) {
   who <- who_words(study$all_simulated)
   c(

@@ -10,30 +10,28 @@
 # SPDX-License-Identifier: MIT
 
 # What the views know of one protocol beside its trials: list(exclusions, interrupted, timed_out),
-# each with the columns file and path. `study`: an open study file.
-read_remarkable <- function(study, protocol, enrolments, mark) {
+# `study`: an open study file.
+read_remarkable <- function(study, protocol, enrolments) {
   ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
   exclusions <- DBI::dbGetQuery(study, paste(
     "SELECT participant, CAST(trial AS INTEGER) AS trial, reason, decided_utc FROM excluded",
     "ORDER BY participant, trial"))
   exclusions <- exclusions[exclusions$participant %in% enrolments$participant, ]
   list(
-    exclusions = mark(exclusions),
-    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM (",
+    exclusions = exclusions,
+    interrupted = ask("SELECT participant, trial, interrupted_by FROM (",
       "SELECT protocol, participant, trial, interrupted_by FROM interrupted_attempt",
       "WHERE phase = 'main' UNION ALL",
       "SELECT protocol, participant, trial, 'set aside with its block' FROM set_aside_attempt)",
-      "WHERE protocol = ?")),
-    timed_out = mark(ask("SELECT participant, trial FROM trial_response",
-      "WHERE protocol = ? AND phase = 'main' AND timed_out = 1")))
+      "WHERE protocol = ?"),
+    timed_out = ask("SELECT participant, trial FROM trial_response",
+      "WHERE protocol = ? AND phase = 'main' AND timed_out = 1"))
 }
 
 # Which of these rows are excluded: TRUE for each that is.
 is_excluded <- function(rows, exclusions) {
-  if (is.null(exclusions)) return(rep(FALSE, nrow(rows)))
-  everything <- exclusions[is.na(exclusions$trial), ]
-  person <- function(rows) paste(rows$path, rows$participant)
-  person(rows) %in% person(everything) | trial_key(rows) %in% trial_key(exclusions)
+  rows$participant %in% exclusions$participant[is.na(exclusions$trial)] |
+    rows$trial %in% stats::na.omit(exclusions$trial)
 }
 
 # The study without what was excluded and without catch trials: study$trials, study$catch and
@@ -48,15 +46,12 @@ without_left_out <- function(study, what) {
   study$catch <- trials[!out & is_catch, ]
   study$trials <- trials[!out & !is_catch, ]
   if (nrow(study$trials) > 0) return(study)
-  refuse_without_answers(paste(unique(trials$file), collapse = ", "), ": expected ", what, " of '",
+  refuse_without_answers(study$file, ": expected ", what, " of '",
     study$protocol, "', got only catch trials and excluded ones (", sum(out), " excluded)")
 }
 
 counted_exclusions <- function(exclusions, trials) {
-  if (is.null(exclusions)) {
-    return(data.frame(participant = character(), trial = integer(), reason = character(),
-      decided_utc = character(), trials = integer()))
-  }
+  if (nrow(exclusions) == 0) return(cbind(exclusions, trials = integer()))
   # A trial of somebody who is excluded whole is counted there alone.
   whole <- is.na(exclusions$trial)
   by_person <- is_excluded(trials, exclusions[whole, ])
@@ -144,17 +139,6 @@ catch_measure <- function(study) {
   measure("share of positive answers", catch$positive)
 }
 
-# A vector of sentences, each about one thing a reader must know before the results.
-study_sentences <- function(study) {
-  c(
-    if (study$all_simulated) paste("SIMULATED: every participant is simulated; these results",
-      "describe an observer model, not people."),
-    participants_sentence(study), exclusions_sentence(study), unbalanced_sentence(study),
-    catch_sentence(study),
-    hashes_sentence(study), timing_sentences(study$trials),
-    if (!is.null(study$scale)) delay_sentence(study$trials, study$factors), study$depths)
-}
-
 # `study$elsewhere`: the participants of the protocol's other parts, where there are such.
 participants_sentence <- function(study) {
   noun <- answer_noun(study)
@@ -212,31 +196,4 @@ hashes_sentence <- function(study) {
   if (length(study$hashes) == 1) return(character())
   sprintf("%d versions of protocol '%s' (different hashes) are pooled here.",
     length(study$hashes), study$protocol)
-}
-
-# Late frames and overridden tests of the display.
-timing_sentences <- function(trials) {
-  late <- sum(trials$late_timed_frames)
-  overridden <- trials[trials$sync_overridden == 1, ]
-  c(
-    if (late == 0) "No timed frame was late." else sprintf("Late timed frames: %s of %s, in %s.",
-      format(late, big.mark = ","), format(sum(trials$timed_frames), big.mark = ","),
-      count_of(sum(trials$late_timed_frames > 0), "trial")),
-    if (nrow(overridden) == 0) "The sync test was not overridden." else
-      sprintf("The sync test was overridden for %s (%s), which are included.",
-        count_of(participant_count(overridden), "participant"), count_of(nrow(overridden), "trial"))
-  )
-}
-
-# Only for studies with a factor delay: did the display show what was asked?
-delay_sentence <- function(trials, factors) {
-  if (!"delay" %in% names(factors)) return(character())
-  intended_ms <- as.numeric(as.character(trials[[factors[["delay"]]]]))
-  off_ms <- abs(trials$realised_hold_ms - intended_ms)
-  # A frame is no shorter than 2 ms; less than .05 ms is the rounding of 1/60 s.
-  if (all(off_ms < 0.05)) return("Every freeze lasted as many frames as its intended delay.")
-  sprintf(paste(
-    "The analysis uses the intended delay; the freeze realised on the display's frames differs",
-    "from it in %s, by up to %.1f ms."
-  ), count_of(sum(off_ms >= 0.05), "trial"), max(off_ms))
 }

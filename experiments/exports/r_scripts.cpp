@@ -10,7 +10,8 @@ std::filesystem::path write_r_scripts(const std::filesystem::path& folder,
                                       const std::set<std::string>& names) {
   for (const EmbeddedFile& script : kRScripts) {
     const std::string name = script.name;
-    if (name.rfind("R/", 0) != 0 && names.count(name) == 0) {
+    const bool is_command = name.find('/') == std::string::npos;
+    if (is_command && names.count(name) == 0) {
       continue;
     }
     const std::filesystem::path file = folder / "analysis" / name;

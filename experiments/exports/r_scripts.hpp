@@ -8,7 +8,7 @@
 
 namespace impetus::inline exports {
 
-/// Writes the scripts of these names ("report.R") and the functions that all of them share (R/) to
+/// Writes the scripts of these names ("report.R") with what all of them share (R/, studies/) to
 /// `folder`/analysis; returns that. Throws StoreError when one cannot be written.
 std::filesystem::path write_r_scripts(const std::filesystem::path& folder,
                                       const std::set<std::string>& names);

@@ -35,7 +35,7 @@ gaze_trials <- function(seed, participants = 10, repetitions = 3, difference = T
 kFivePoints <- data.frame(rating_minimum = 1L, rating_maximum = 5L, rating_best = 5L,
   low_anchor = "not believable", high_anchor = "very believable")
 
-# The trials as read_studies gives them, without a file.
+# The trials as scheduling_part gives them, without a file.
 as_read <- function(trials) {
   trials$scheduling <- factor(trials$scheduling, kSchedulingKinds)
   trials$bodies <- factor(trials$bodies)
@@ -76,6 +76,25 @@ write_gaze_study <- function(path, trials, merge_within_ms = 100, protocol = "ga
     arrival_uncertainty_ns = rep(1e6, length(each))
   ))
   path
+}
+
+# The study at `path` as the page has it: a file made of a report's data.
+as_reported <- function(path) {
+  folder <- tempfile()
+  dir.create(folder)
+  write_report_data(path, folder)
+  study_of_report_data(folder)
+}
+
+# The part of a study's page that compares its kinds of scheduling.
+read_scheduling <- function(path, name = "gaze-contingent") {
+  scheduling_part(as_reported(path), study_description(name))
+}
+
+# What the page says of the gaze and of its calibration: a table each, by name.
+gaze_tables <- function(path, name = "gaze-contingent") {
+  tables <- gaze_shown(as_reported(path), name)$tables
+  stats::setNames(lapply(tables, `[[`, "rows"), vapply(tables, `[[`, "", "name"))
 }
 
 # Adds a second stimulus to each trial of the study at `path`, whose onset is at `onset_ns`: its first

@@ -2,12 +2,6 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
-png_size <- function(path) {
-  header <- readBin(path, "raw", 24)
-  c(readBin(header[17:20], "integer", endian = "big"),
-    readBin(header[21:24], "integer", endian = "big"))
-}
-
 test_that("a refusal is one sentence on stderr and exit status 2", {
   run <- run_script("causality.R", "/nowhere/study.sqlite", "--out", new_folder())
   expect_equal(run$status, 2)
@@ -20,7 +14,7 @@ test_that("a call without --out shows the usage", {
   run <- run_script("causality.R", "study.sqlite")
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste("causality.R: expected one --out and a folder; usage: Rscript",
-    "analysis/causality.R study.sqlite [more.sqlite ...] --out figures/"))
+    "analysis/causality.R study.sqlite --out report/"))
 })
 
 test_that("missing packages are named, with what to install", {
@@ -28,46 +22,53 @@ test_that("missing packages are named, with what to install", {
     environment = c("R_LIBS_SITE=/nowhere", "R_LIBS_USER=/nowhere", "R_LIBS=/nowhere"))
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste("causality.R: expected these R packages to be installed: RSQLite,",
-    "ordinal, lme4, afex, ggplot2 (on Debian: apt-get install r-cran-rsqlite r-cran-ordinal",
-    "r-cran-lme4 r-cran-afex r-cran-ggplot2)"))
+    "ordinal, lme4, afex, ggplot2, commonmark (on Debian: apt-get install r-cran-rsqlite r-cran-ordinal",
+    "r-cran-lme4 r-cran-afex r-cran-ggplot2 r-cran-commonmark)"))
 })
 
-test_that("one participant gives a figure and words, no test, even in a C locale", {
+test_that("several files, and a file of another study, are refused before anything is written", {
+  path <- write_study(tempfile(fileext = ".sqlite"), causality_trials(80, participants = 1))
+  out <- new_folder()
+  run <- run_script("causality.R", path, path, "--out", out)
+  expect_equal(c(run$status, run$stderr), c("2",
+    "causality.R: expected one study file, got 2; `impetus merge` makes one of several"))
+  run <- run_script("gap.R", path, "--out", out)
+  expect_equal(c(run$status, run$stderr), c("2",
+    sprintf("gap.R: %s: expected protocol 'gap', got 'causality'", path)))
+  expect_false(dir.exists(out))
+})
+
+test_that("one participant gives a page and no test, even in a C locale", {
   path <- write_study(tempfile(fileext = ".sqlite"), causality_trials(81, participants = 1))
   out <- new_folder()
   run <- run_script("causality.R", path, "--out", out, environment = "LC_ALL=C")
   expect_equal(run$status, 0)
-  files <- file.path(out, paste0("causality", c(".png", ".pdf", ".csv", ".md")))
-  expect_equal(run$stdout[1:4], files)
-  expect_true(all(file.size(files) > 0))
-  expect_equal(nrow(read.csv(files[3])), 0)
-  expect_true(paste("One participant: the figure and the means describe; no inferential test",
-    "was made.") %in% run$stdout)
-  # 183 × 74 mm at 600 dots per inch
-  expect_equal(png_size(files[1]), floor(c(183, 74) / 25.4 * 600))
+  expect_equal(nrow(read.csv(file.path(out, "tables/causality-rating-tests.csv"))), 0)
+  page <- paste(readLines(file.path(out, "report.html"), encoding = "UTF-8"), collapse = " ")
+  expect_match(page, "One participant: the figure and the means describe; no inferential test")
+  expect_match(page, "Dingliana 2002, sec. 6.2.1 and fig. 6.5", fixed = TRUE)
 })
 
 test_that("levels that separate completely leave the other tests, without a warning", {
   trials <- causality_trials(82, participants = 6)
   trials$rating <- ifelse(trials$delay_ms == 0, 1, pmax(2, trials$rating))
-  out <- new_folder()
-  run <- run_script("causality.R", write_study(tempfile(fileext = ".sqlite"), trials), "--out", out)
-  expect_equal(run$status, 0)
-  expect_equal(run$stderr, c("testing the participants' means ...", "drawing the figure ..."))
-  table <- read.csv(file.path(out, "causality.csv"))
-  expect_setequal(unique(table$family), c("repeated-measures ANOVA", "Friedman", "equivalence",
-    "pooled ANOVA, as in the thesis"))
+  path <- write_study(tempfile(fileext = ".sqlite"), trials)
+  expect_no_warning(found <- suppressMessages(results_of_part(parts_of_protocol(path, "causality")[[1]])))
+  table <- found$tests$rows
+  expect_setequal(unique(table$family), c("repeated-measures ANOVA", "Friedman", "equivalence"))
   expect_lt(table$p_holm[table$family == "Friedman" & table$effect == "delay_ms"], 0.05)
-  expect_match(paste(run$stdout, collapse = " "), "separate the ratings completely")
+  expect_match(found$tests$remarks, "separate the ratings completely", all = FALSE)
+  pooled <- Filter(function(table) table$name == "sensitivity-pooled", found$tables)[[1]]$rows
+  expect_equal(pooled$factor[1:4], c("Delay (ms)", sprintf("Delay (ms) at speed (°/s): %d", kSpeedsDegS)))
 })
 
 test_that("ratings that are all equal make no test and say so", {
   trials <- causality_trials(83, participants = 3, repetitions = 1)
-  trials$delay_ms <- factor(trials$delay_ms)
   trials$rating <- 2
-  tests <- rating_tests(trials, "delay_ms", character())
+  path <- write_study(tempfile(fileext = ".sqlite"), trials)
+  tests <- suppressMessages(results_of_part(parts_of_protocol(path, "causality")[[1]]))$tests
   expect_equal(nrow(tests$rows), 0)
-  expect_equal(tests$remarks, "Every rating was 2: nothing varies, so no test was made.")
+  expect_equal(tests$remarks[1], "Every rating was 2: nothing varies, so no test was made.")
 })
 
 test_that("a large p is never called no difference", {
@@ -84,10 +85,11 @@ test_that("a large p is never called no difference", {
     "In the cumulative-link mixed model for delay (random intercept for each participant), an effect of",
     "delay was not detected, which is not evidence of its absence: χ²(2) = 1.6, p = .449,",
     "Holm-corrected p = .898."))
-  expect_equal(other_factor_words(tests, "speed_deg_s")[1], paste(
+  expect_equal(model_words(tests, "speed_deg_s"), paste(
     "In the cumulative-link mixed model for speed (random intercept for each participant), an effect of speed was not",
     "detected, which is not evidence of its absence: χ²(2) = 1.2, p = .550, Holm-corrected p = .898."))
-  expect_equal(other_factor_words(tests, "speed_deg_s")[2], paste(
+  expect_equal(equivalence_words(level_comparisons(tests, kEquivalenceFamily, "speed_deg_s"),
+    "speed_deg_s"), paste(
     "For speed (°/s), equivalence within ±0.15 points was not shown between 10 and 5",
     "(largest difference +0.20, 90 % CI [-0.10, 0.50])."))
 })
@@ -122,7 +124,8 @@ test_that("the figure's axis is the whole scale, its ends in the participants' w
   trials$delay_ms <- factor(trials$delay_ms)
   scale <- data.frame(rating_minimum = 1L, rating_maximum = 3L, rating_best = 1L,
     low_anchor = "very believable", high_anchor = "very unbelievable")
-  axis <- ggplot2::ggplot_build(rating_panel(trials, scale, "delay_ms", FALSE))$layout
+  axis <- ggplot2::ggplot_build(factor_plot(trials, "delay_ms", "rating") +
+    axis_of_rating(scale, words = TRUE))$layout
   y <- axis$panel_params[[1]]$y
   expect_equal(y$get_labels(), c("very believable  1", "2", "very unbelievable  3"))
   expect_equal(y$continuous_range, c(1 - 0.06, 3 + 0.06))  # 3 % of the scale on either side
@@ -134,9 +137,9 @@ test_that("the whole script recovers the planted study of 20 participants (slow)
   run <- run_script("causality.R",
     write_study(tempfile(fileext = ".sqlite"), causality_trials(1), practice = 6), "--out", out)
   expect_equal(run$status, 0)
-  table <- read.csv(file.path(out, "causality.csv"))
+  table <- read.csv(file.path(out, "tables/causality-rating-tests.csv"))
   delay <- table[table$effect == "delay_ms", ]
-  expect_equal(nrow(delay), 4)
+  expect_equal(nrow(delay), 3)
   expect_true(all(delay$p_holm < 0.01))  # the thesis: "highly significant: > 99%"
   odds <- table$effect_size[grepl("^delay_ms: ", table$effect)]
   expect_true(odds[1] > 1 && odds[2] > odds[1])

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
-# Trials as gaze_study.R reads them, without a file.
+# Trials as scheduling_part.R reads them, without a file.
 click_trials <- function(...) {
   trials <- as_read(gaze_trials(...))
   trials$exposure_s <- 10
@@ -10,12 +10,17 @@ click_trials <- function(...) {
   trials
 }
 
+# The mixed models of clicks, with the interaction.
+click_tests <- function(trials) {
+  factor_tests(trials, c("scheduling", "bodies"), "clicks", interactions = "scheduling:bodies")
+}
+
 planted_ratio <- kPlantedClicksPerS[["tracked"]] / kPlantedClicksPerS[["random"]]
 
 test_that("the negative-binomial model recovers the planted rates and their dispersion (slow)", {
   skip_if_not(run_slow, "--slow not given")
   trials <- click_trials(121, participants = 20)
-  result <- with_failing(kVaried, click_model_tests(trials))  # none was planted
+  result <- with_failing(kVaried, click_tests(trials))  # none was planted
   rows <- result$rows[result$rows$family == kClickRatioFamily, ]
   rows <- rows[startsWith(rows$effect, "scheduling: "), ]
   planted <- kPlantedClicksPerS[kSchedulingKinds][-1] / kPlantedClicksPerS[1]
@@ -23,8 +28,7 @@ test_that("the negative-binomial model recovers the planted rates and their disp
   # Three standard errors: misses for one of three ratios in 120 seeds.
   expect_true(all(abs(log(rows$effect_size) - log(planted)) < 3 * error))
   expect_match(rows$method, "^negative-binomial mixed model")
-  theta <- as.numeric(sub("^.*θ = ([0-9.]+).*$", "\\1",
-    grep("θ = ", result$remarks, value = TRUE)))
+  theta <- result$models$scheduling$full$theta
   expect_true(theta > kPlantedTheta / 2 && theta < 2 * kPlantedTheta)
   effects <- result$rows[result$rows$family %in% c(kClickFamily, kClickInteractionFamily), ]
   expect_equal(effects$effect, c("scheduling", "bodies", "scheduling:bodies"))
@@ -57,13 +61,13 @@ test_that("exposure is an offset: twice the time with twice the clicks leaves th
 
 test_that("Poisson stands in when the negative binomial does not converge, and says so", {
   trials <- click_trials(124, participants = 5)
-  result <- with_failing(paste0("negative-binomial|", kVaried), click_model_tests(trials))
+  result <- with_failing(paste0("negative-binomial|", kVaried), click_tests(trials))
   expect_match(result$rows$method, "^Poisson mixed model")
   expect_match(result$remarks, paste0("^The mixed model of clicks for the test of scheduling",
     " \\(negative-binomial, intercept and levels for each participant\\) did not converge: planted.$"), all = FALSE)
-  expect_match(result$remarks, paste("The model of clicks is a Poisson one; Pearson's χ² per",
-    "degree of freedom is [0-9.]+ \\(1 for Poisson counts\\)"), all = FALSE)
-  none <- with_failing(".", click_model_tests(trials))
+  expect_match(model_diagnostics(result, "clicks")$checks[1], paste("The model of clicks is a Poisson one;",
+    "Pearson's χ² per degree of freedom is [0-9.]+ \\(1 for Poisson counts\\)"))
+  none <- with_failing(".", click_tests(trials))
   expect_null(none$rows)
   expect_true("No mixed model of clicks for the test of scheduling is reported." %in% none$remarks)
 })
@@ -88,7 +92,7 @@ test_that("the Poisson model agrees with a closed form: a ratio of totals", {
 test_that("kinds without clicks, or two participants, leave no model, in words", {
   trials <- click_trials(126, participants = 3)
   trials$clicks[trials$scheduling == "all-good"] <- 0
-  expect_equal(click_model_tests(trials)$remarks, paste("Nobody clicked at scheduling all-good,",
+  expect_equal(click_tests(trials)$remarks, paste("Nobody clicked at scheduling all-good,",
     "so the mixed model of clicks has no finite ratio and was not fitted; see the other tests."))
   expect_equal(contrast_model_tests(trials[trials$participant != "P01", ], response = "clicks")$remarks,
     "The mixed model of clicks of the planned contrast needs three participants or more and was not fitted.")

@@ -17,8 +17,7 @@ crowd_file <- function(trials) {
   write_study(tempfile(fileext = ".sqlite"), trials, protocol = "crowd")
 }
 
-read_crowd <- function(path) keep_people_apart(read_studies(path, "crowd",
-  c(bodies = "bodies", scheduler = "scheduler"), "click_trial"))
+read_crowd <- function(path) parts_of_protocol(path, "crowd")[[1]]
 
 test_that("the planted effect of the number comes back, and the margin is that of five points", {
   study <- read_crowd(crowd_file(crowd_trials(701, 8)))
@@ -30,16 +29,17 @@ test_that("the planted effect of the number comes back, and the margin is that o
     "±0.30 points", fixed = TRUE)
 })
 
-test_that("the script runs without clicks, and with them has their table", {
-  path <- crowd_file(crowd_trials(702, 1, repetitions = 1))
-  out <- new_folder()
-  expect_equal(run_script("crowd.R", path, "--out", out)$status, 0)
-  expect_true(all(file.size(file.path(out, paste0("crowd", c(".png", ".pdf", ".csv", ".md")))) > 0))
+test_that("the interaction is tested in whatever order the design has its factors, as are clicks", {
+  path <- crowd_file(crowd_trials(702, 4))
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   DBI::dbExecute(study, "UPDATE protocol SET protocol_json = '{\"clicks\": {}}'")
   DBI::dbExecute(study, "INSERT INTO click VALUES (1, 1, 'mouse', 1, 1, 1), (1, 2, 'mouse', 9, 1, 1)")
+  DBI::dbExecute(study, kClickedTrialSql)
   DBI::dbDisconnect(study)
-  clicks <- crowd_clicks(read_crowd(path))
-  expect_equal(clicks$words, "Participants clicked 2 times in 6 trials.")
-  expect_length(clicks$section, 11)
+  withr::local_options(impetus.levels = list(scheduler = "distance", bodies = "50"))
+  part <- read_crowd(path)
+  expect_equal(unname(part$factors), c("scheduler", "bodies"))
+  tests <- suppressMessages(results_of_part(part))$tests
+  expect_equal(tests_of(tests, kInteractionFamily)$effect, "bodies:scheduler")
+  expect_equal(sum(rows_of_view(path, "click_trial", "crowd")$clicks), 2)
 })

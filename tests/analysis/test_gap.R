@@ -2,13 +2,8 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
-kGapDesign <- c(level = "level", speed = "speed", viewpoint = "viewpoint")
-
-# The study as gap.R reads it.
-read_gap <- function(path) {
-  study <- keep_people_apart(read_studies(path, "gap", kGapDesign))
-  with_gaps_shown(with_depths_named(study))
-}
+# The ratings as gap.R reads them.
+read_gap <- function(path) with_gaps_shown(parts_of_protocol(path, "gap")[[1]])
 
 # A study file of these trials, with the collision that each planted trial would have.
 write_gap_study <- function(trials, truth = TRUE) {
@@ -37,36 +32,33 @@ hand_study <- function() {
 
 test_that("the table's medians are those of the first collisions, by level and viewpoint", {
   study <- read_gap(hand_study())
-  table <- shown_table(study$trials[!is.na(study$trials$gap_arcmin), ], "level", "viewpoint_deg")
+  table <- shown_table(study$trials[!is.na(study$trials$gap_arcmin), ], c("level", "viewpoint_deg"))
   expect_equal(as.character(table$level), c("root", "root", "finest"))
-  expect_equal(as.character(table$viewpoint), c("0", "85", "0"))
+  expect_equal(as.character(table$viewpoint_deg), c("0", "85", "0"))
   expect_equal(table$trials, c(3, 1, 1))
   # Root, 0°: gaps 40, 70, 50 and shares 0, .5, .25; ratings 3, 2, 3.
   expect_equal(table$gap_arcmin, c(50, 10, 2))
   expect_equal(table$hidden_share, c(0.25, 1, 0))
   expect_equal(table$rating, c(8 / 3, 1, 1))
-  expect_equal(table_lines(table)[3], "| root | 0 | 3 | 50.0 | 0.25 | 0 | 2.67 |")
+  expect_equal(table$level_used, c("0", "0", "4"))
 })
 
 test_that("trials without a gap are counted, by what they lack", {
-  path <- hand_study()
-  study <- read_gap(path)
+  study <- read_gap(hand_study())
   expect_equal(shown_notes(study$trials), c(
-    sprintf(paste("The gap was not measured in 1 trial, left out here.",
-      "Run `impetus replay %s --truth` to have them too."), path),
+    "The gap was not measured in 1 trial, left out here: `impetus replay STUDY --truth` measures it.",
     "The bodies never met in 1 trial, left out here.",
     "The bodies met more than once in 1 trial: the first collision counts."
   ))
 })
 
-test_that("without truth the report says which command fills it", {
+test_that("without truth nothing is set against gaps, and the page says what measures them", {
   path <- write_gap_study(gap_trials(91, participants = 1, repetitions = 1), truth = FALSE)
   study <- read_gap(path)
-  shown <- gaps_shown(study)
-  expect_null(shown$tests)
-  expect_equal(shown$words, sprintf(paste("What was shown is not known yet: no gap has been",
-    "measured. Run `impetus replay %s --truth` first."), path))
-  expect_true("Levels of the sphere tree: root 0, middle 2, finest 4." %in% study_sentences(study))
+  expect_null(gaps_shown(study))
+  expect_equal(study$depths, "Levels of the sphere tree: root 0, middle 2, finest 4.")
+  expect_match(shown_sentences(path, "gap", analysed_collisions(path, "gap")),
+    "`impetus replay STUDY --truth` does it", fixed = TRUE, all = FALSE)
 })
 
 test_that("levels keep their numbers unless there are three from 0", {
@@ -134,22 +126,28 @@ test_that("the planted odds ratio of a tenfold gap is recovered", {
   expect_match(gap_words(tests), "ratings depended on it")
 })
 
-test_that("one participant gives figure, table and words, no test", {
+test_that("the script reports on one participant: question, figures and table, no test", {
   path <- write_gap_study(gap_trials(96, participants = 1))
-  out <- tempfile("figures of ")
+  out <- new_folder()
   run <- run_script("gap.R", path, "--out", out)
   expect_equal(run$status, 0)
-  files <- file.path(out, paste0("gap", c(".png", ".pdf", ".csv", ".md")))
-  expect_equal(run$stdout[1:4], files)
-  expect_true(all(file.size(files) > 0))
-  report <- readLines(files[4])
+  expect_true(all(file.exists(file.path(out, "figures", paste0("gap-rating-by-", c("level",
+    "viewpoint_deg-and-level"), ".svg")))))
   # 9 trials of 3 speeds and 3 repetitions; the gap is planted, the mean rating is the sample's.
-  expect_true(any(startsWith(report, "| root | 45 | 9 | 57.0 | 0.25 | 0 | ")))
+  gaps <- read.csv(file.path(out, "tables/gap-rating-gaps.csv"))
+  root <- gaps[gaps$level == "root" & gaps$viewpoint_deg == 45, ]
+  expect_equal(unlist(root[c("trials", "gap_arcmin", "hidden_share")], use.names = FALSE),
+    c(9, 57, 0.25))
+  page <- paste(readLines(file.path(out, "report.html"), encoding = "UTF-8"), collapse = " ")
+  for (words in c("does a gap at contact, left by a coarse level", "The thesis: A strong effect of level",
+    "root 0, middle 2, finest 4", "One participant: the figure and the means describe")) {
+    expect_match(page, words, fixed = TRUE)
+  }
 })
 
 test_that("the figure says root, middle, finest from left to right", {
   study <- read_gap(write_gap_study(gap_trials(97, participants = 3, repetitions = 1)))
-  x <- ggplot2::ggplot_build(rating_panel(study$trials, study$scale, "level", TRUE))$layout
+  x <- ggplot2::ggplot_build(factor_plot(study$trials, "level", "rating"))$layout
   expect_equal(x$panel_params[[1]]$x$get_labels(), c("root", "middle", "finest"))
   means <- means_with_intervals(study$trials, c("level", "viewpoint_deg"))
   expect_equal(means$level, rep(c("root", "middle", "finest"), each = 3))
@@ -169,10 +167,10 @@ test_that("a study file without collisions' view is refused", {
 
 test_that("the whole script recovers the planted gap study of 20 participants (slow)", {
   skip_if_not(run_slow, "--slow not given")
-  out <- tempfile("figures of ")
+  out <- new_folder()
   run <- run_script("gap.R", write_gap_study(gap_trials(1)), "--out", out)
   expect_equal(run$status, 0)
-  table <- read.csv(file.path(out, "gap.csv"))
+  table <- read.csv(file.path(out, "tables/gap-rating-tests.csv"))
   expect_true(all(table$p_holm[table$effect == "level"] < 0.01))  # the thesis: "> 99%"
   expect_true(all(c(kGapFamily, kInteractionFamily, kInteractionOddsFamily) %in% table$family))
 })

@@ -8,15 +8,12 @@ yoked_file <- function(trials) {
   write_gaze_study(tempfile(fileext = ".sqlite"), trials, protocol = "gaze-contingent-yoked")
 }
 
-read_yoked <- function(path) {
-  open_gaze_study(study_description("gaze-contingent-yoked"), path)
-}
+read_yoked <- function(path) read_scheduling(path, "gaze-contingent-yoked")
 
 # Models of an intercept alone, which is what was planted.
 yoked_tests <- function(study) {
-  study <- with_events(study)
   without_slopes(with_failing(kVaried, suppressMessages(
-    gaze_study_tests(study, exposure_by_participant(study)))))
+    scheduling_tests(study, exposure_by_participant(study)))))
 }
 
 test_that("every study that is described has its script, and compares kinds that it has", {
@@ -27,7 +24,6 @@ test_that("every study that is described has its script, and compares kinds that
   for (study in Filter(function(study) study$kind == "scheduling", studies)) {
     for (pair in study$pairs) expect_true(all(c(pair$of, pair$against) %in% study$kinds))
     expect_true(planned_pair(study)$planned)
-    expect_true(all(study$kinds %in% names(kKindColours)))
   }
 })
 
@@ -73,7 +69,8 @@ test_that("a planted advantage of one's own gaze is found, and recorded and rand
   expect_equal(overall(kContrastMeansFamily, pairs[[2]])$effect_size,
     mean(differences[, kOverall]))
   expect_length(grep("tracked − random|as in the thesis", tests$rows$family), 0)
-  words <- unlist(rating_paragraphs(study, tests))
+  words <- unlist(lapply(pairs, function(pair) paste(rating_contrast_words(tests, study$scale, pair),
+    collapse = " ")))
   expect_match(words, paste("^Planned contrast, tracked against recorded .* Tracked was rated better",
     "than recorded overall"), all = FALSE)
   expect_match(words, "^Beside it, random against recorded ", all = FALSE)
@@ -82,17 +79,18 @@ test_that("a planted advantage of one's own gaze is found, and recorded and rand
   expect_no_match(exposure_words(tests, pairs[[2]]), "Tracking")
 })
 
-test_that("the script writes what that of the first study does, under its own name", {
+test_that("the script's page has both pairs, and nothing of the thesis", {
   trials <- gaze_trials(173, participants = 1, repetitions = 1, kinds = kYokedKinds)
   path <- add_collisions(yoked_file(trials), random_collisions(trials))
   out <- new_folder()
   run <- run_script("gaze-contingent-yoked.R", path, "--out", out)
   expect_equal(run$status, 0)
-  files <- file.path(out, paste0("gaze-contingent-yoked", c("-ratings.png", "-clicks.pdf",
-    "-kernels.png", ".csv", "-gains.csv", "-exposure.csv", "-calibration.csv", ".md")))
-  expect_true(all(file.size(files) > 0))
-  expect_setequal(read.csv(files[5])$scheduling, c("all", kYokedKinds))
-  report <- readLines(files[8])
-  expect_match(report, "b: tracked − recorded, c: random − recorded of each", all = FALSE)
-  expect_no_match(paste(report, collapse = " "), "thesis")
+  figures <- paste0("gaze-contingent-yoked-scheduling-", c("rating-tracked-recorded",
+    "rating-random-recorded", "clicks-random-recorded"), ".pdf")
+  expect_true(all(file.exists(file.path(out, "figures", figures))))
+  gains <- read.csv(file.path(out, "tables/gaze-contingent-yoked-clicks-gains.csv"))
+  expect_setequal(gains$scheduling, c("all", kYokedKinds))
+  page <- readLines(file.path(out, "report.html"), encoding = "UTF-8")
+  page <- page[seq_len(which(page == "<h4>References</h4>") - 1)]
+  expect_no_match(paste(gsub("the thesis&#39;s|the thesis's random region", "", page), collapse = " "), "As in the thesis")
 })

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
-kFactors <- c(delay = "delay", speed = "speed", viewpoint = "viewpoint")
-
-read_causality <- function(...) read_studies(c(...), "causality", kFactors)
+read_causality <- function(path) rating_part(path, "causality")
 
 # The one sentence with which a study is refused, without the folder of temporary files.
 refusal <- function(expression) {
@@ -19,22 +17,10 @@ test_that("ratings come back with their factors, and practice is never among the
   study <- read_causality(write_study(at("a.sqlite"), trials, practice = 6))
   expect_equal(nrow(study$trials), 54)
   expect_equal(unique(study$trials$phase), "main")
-  expect_equal(study$factors[["speed"]], "speed_deg_s")
+  expect_equal(factor_called(study, "speed"), "speed_deg_s")
   key <- function(rows) paste(rows$participant, rows$delay_ms, rows$speed_deg_s, rows$viewpoint_deg)
   expect_equal(study$trials$rating[match(key(trials), key(study$trials))], trials$rating)
   expect_equal(levels(study$trials$delay_ms), c("0", "100", "300"))
-})
-
-test_that("several files are one study", {
-  trials <- causality_trials(seed = 62, participants = 2, repetitions = 1)
-  first <- write_study(at("a.sqlite"), trials[trials$participant == "P01", ])
-  second <- write_study(at("b.sqlite"), trials[trials$participant == "P02", ])
-  together <- read_causality(first, second)$trials
-  expect_equal(participant_count(together), 2)
-  # Trials are numbered from 1 in each file: levels must not leak from one to the other.
-  means <- participant_means(together, "delay_ms")
-  trials$delay_ms <- factor(trials$delay_ms)
-  expect_equal(means, participant_means(trials, "delay_ms"))
 })
 
 test_that("every file that is no study is refused in one sentence", {
@@ -71,22 +57,14 @@ test_that("scales that differ are not pooled", {
   ))
 })
 
-test_that("one pseudonym in two files, or one file twice, is refused", {
-  trials <- causality_trials(seed = 65, participants = 1, repetitions = 1)
-  write_study(at("a.sqlite"), trials)
-  write_study(at("b.sqlite"), trials)
-  expect_equal(refusal(read_causality(at("a.sqlite"), at("b.sqlite"))), paste(
-    "participant P01 is in a.sqlite and in b.sqlite: expected every pseudonym in one file only"))
-  expect_equal(refusal(read_causality(at("a.sqlite"), at("a.sqlite"))),
-    "a.sqlite: was given twice")
-})
-
-test_that("a missing factor is named, with those that are there", {
-  trials <- causality_trials(seed = 66, participants = 1, repetitions = 1)
-  names(trials)[names(trials) == "viewpoint_deg"] <- "level"
-  expect_equal(refusal(read_causality(write_study(at("a.sqlite"), trials))), paste(
-    "a.sqlite: expected one factor 'viewpoint' or 'viewpoint_<unit>' in every main trial, got",
-    "delay_ms, speed_deg_s, level"))
+test_that("a trial without a level of a factor is named, with the file", {
+  path <- write_study(at("a.sqlite"), causality_trials(seed = 66, participants = 1, repetitions = 1))
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "UPDATE trial SET condition = json_remove(condition, '$.speed_deg_s')
+    WHERE id = 3")
+  DBI::dbDisconnect(study)
+  expect_equal(refusal(read_causality(path)), paste("a.sqlite: expected a level of speed_deg_s in every",
+    "main trial, trial 3 has none"))
 })
 
 test_that("what the analysis rests on is said in words", {
@@ -98,9 +76,10 @@ test_that("what the analysis rests on is said in words", {
   trials$sync_overridden <- as.integer(trials$participant == "P01")
   trials$realised_hold_ms <- ifelse(trials$delay_ms == 100, 105.9, trials$delay_ms)
   trials$protocol_hash <- ifelse(trials$participant == "P01", "old", "new")
-  study <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
-  at_100 <- sum(trials$delay_ms == 100 & !is.na(trials$rating))
-  expect_equal(study_sentences(study), c(
+  path <- write_study(at("a.sqlite"), trials)
+  study <- read_causality(path)
+  expect_equal(c(participants_sentence(study), exclusions_sentence(study), unbalanced_sentence(study),
+    hashes_sentence(study)), c(
     paste("2 participants, 46 ratings in the main phase (19 to 27 each). The study is in",
       "progress: 1 participant has not finished and is included with the ratings given so far.",
       "1 more participant enrolled, without ratings."),
@@ -108,21 +87,20 @@ test_that("what the analysis rests on is said in words", {
     paste("1 of 2 participants lacks some combination of delay, speed and viewpoint: means by one",
       "factor, Friedman's test and comparisons of two levels take what trials there are, so that they",
       "also hold effects of the other factors; the ANOVA leaves these participants out."),
-    "2 versions of protocol 'causality' (different hashes) are pooled here.",
-    "Late timed frames: 2 of 6,900, in 1 trial.",
-    paste("The sync test was overridden for 1 participant (27 trials), which are included."),
-    sprintf(paste("The analysis uses the intended delay; the freeze realised on the display's",
-      "frames differs from it in %d trials, by up to 5.9 ms."), at_100)
-  ))
+    "2 versions of protocol 'causality' (different hashes) are pooled here."))
+  words <- shown_sentences(path, "causality", analysed_collisions(path, "causality"))
+  expect_match(words, "frames were timed, practice included; 2 \\(", all = FALSE)
+  expect_match(words, sprintf("100 ms was 105.90 ms (%d trials)", sum(trials$delay_ms == 100 &
+    !is.na(trials$rating))), fixed = TRUE, all = FALSE)
 })
 
 test_that("simulated participants are named, and never pooled with people", {
   trials <- causality_trials(seed = 68, participants = 3, repetitions = 1)
-  all_made_up <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
-  expect_equal(study_sentences(all_made_up)[1], paste("SIMULATED: every participant is simulated;",
-    "these results describe an observer model, not people."))
+  all_made_up <- write_study(at("a.sqlite"), trials)
+  expect_true(read_causality(all_made_up)$all_simulated)
+  expect_match(simulated_lines(all_made_up, "causality"), "SIMULATED: every participant is simulated")
   trials$simulated <- as.integer(trials$participant == "P03")
-  mixed <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
+  mixed <- read_causality(write_study(at("a.sqlite"), trials))
   expect_equal(sort(unique(mixed$trials$participant)), c("P01", "P02"))
   expect_equal(exclusions_sentence(mixed),
     "Left out: 27 ratings of 1 participant (simulated, in a study that has people).")

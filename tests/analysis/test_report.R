@@ -146,28 +146,14 @@ test_that("a factorial study of ratings is recognised and reported whole", {
   }
 })
 
-test_that("the study's own script and its report print the same numbers, p and corrected p", {
-  path <- small_study(few_trials(47, participants = 5, speeds = c(5, 15)))
-  report <- made_report(path)
-  out <- new_folder()
-  run <- run_script("causality.R", path, "--out", out)
-  expect_equal(run$status, 0)
-  ours <- read.csv(file.path(out, "causality.csv"))
-  theirs <- read.csv(file.path(report$folder, "tables/causality-rating-tests.csv"))
-  ours <- ours[ours$family != kPooledFamily, ]
-  by_name <- function(rows) {
-    rows <- rows[order(rows$family, rows$effect), ]
-    rownames(rows) <- NULL
-    rows
-  }
-  expect_equal(by_name(ours), by_name(theirs))
-  effects <- ours[ours$family == kEffectsFamily, ]
+test_that("the words print each test's own p and the corrected one, as the table has them", {
+  report <- made_report(small_study(few_trials(47, participants = 5, speeds = c(5, 15))))
+  tests <- read.csv(file.path(report$folder, "tables/causality-rating-tests.csv"))
+  effects <- tests[tests$family == kEffectsFamily, ]
   expect_equal(effects$effect, c("delay_ms", "speed_deg_s"))
-  words <- paste(readLines(file.path(out, "causality.md"), encoding = "UTF-8"), collapse = " ")
   for (i in 1:2) {
     printed <- chi_squared_words(effects[i, ])
     expect_match(printed, "Holm-corrected p")
-    expect_match(words, printed, fixed = TRUE)
     expect_says(report, html_text(printed))
   }
 })

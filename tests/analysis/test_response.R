@@ -23,28 +23,16 @@ response_file <- function(trials, spin = TRUE) {
     imposed_spin_b_y_rad_s = 0 * size, imposed_spin_b_z_rad_s = -size))
 }
 
-read_response <- function(path) {
-  factors <- c(level = "level", speed = "speed", viewpoint = "viewpoint")
-  with_imposed_spin(with_depths_named(keep_people_apart(read_studies(path, "response", factors))))
-}
+# The ratings as response.R reads them.
+read_spins <- function(path) with_imposed_spin(parts_of_protocol(path, "response")[[1]])
 
 test_that("a trial's spin is the mean magnitude over both bodies, and none where none was drawn", {
   trials <- response_trials(401, 2, 0.5)
-  study <- read_response(response_file(trials))
+  study <- read_spins(response_file(trials))
   expect_equal(study$trials$imposed_spin_rad_s[order(study$trials$trial)], trials$spin)
 })
 
 test_that("a level confounded with random spin is called so", {
-  trials <- response_trials(402, 2, 0.5)
-  expect_equal(spin_imposed(read_response(response_file(trials)))$words[1], paste("CONFOUNDED:",
-    "random spin was imposed at some levels only (share of trials by level, root: 100 %; middle:",
-    "0 %; finest: 0 %), so an effect of level cannot be told from one of randomness; a run with",
-    "random spin switched off can."))
-  expect_equal(spin_imposed(read_response(response_file(trials, spin = FALSE)))$words,
-    "No random spin was imposed, so level is not confounded with randomness.")
-})
-
-test_that("the report of any study calls it so, too", {
   trials <- response_trials(402, 2, 0.5)
   sentences <- function(path) {
     spin_sentences(analysed_collisions(path, "response"), levels_of_trials(path))
@@ -52,12 +40,14 @@ test_that("the report of any study calls it so, too", {
   words <- sentences(response_file(trials))
   expect_equal(words, paste("CONFOUNDED: random spin was imposed at some levels of level only (share of",
     "trials: 0: 100 %; 2: 0 %; 4: 0 %), so an effect of it cannot be told from one of randomness."))
-  expect_length(sentences(response_file(trials, spin = FALSE)), 0)
+  without <- response_file(trials, spin = FALSE)
+  expect_length(sentences(without), 0)
+  expect_null(spin_imposed(read_spins(without)))
 })
 
 test_that("the planted effect of the spin's size comes back", {
   trials <- response_trials(403, 12, 0.7, repetitions = 2)
-  study <- read_response(response_file(trials))
+  study <- read_spins(response_file(trials))
   tests <- without_slopes(combine_outcomes(spin_imposed(study)$tests))
   odds <- tests_of(tests, kSpinOddsFamily)
   error <- log(odds$effect_size) / odds$statistic
@@ -70,10 +60,19 @@ test_that("the script runs with one participant, and says what is confounded and
   out <- new_folder()
   run <- run_script("response.R", path, "--out", out)
   expect_equal(run$status, 0)
-  files <- file.path(out, paste0("response", c(".png", ".pdf", ".csv", ".md")))
-  expect_true(all(file.size(files) > 0))
-  report <- paste(readLines(files[4]), collapse = " ")
-  expect_match(report, "CONFOUNDED")
-  expect_match(report, "no gap has been measured")
-  expect_match(report, "needs three participants or more")
+  page <- paste(readLines(file.path(out, "report.html"), encoding = "UTF-8"), collapse = " ")
+  for (words in c("CONFOUNDED", "No gap has been measured", "needs three participants or more")) {
+    expect_match(page, words, fixed = TRUE)
+  }
+  expect_equal(read.csv(file.path(out, "tables/response-rating-spin.csv"))$level, "root")
+  # From data of before, which had less of the spin, the rest is reported.
+  data <- file.path(out, "data")
+  columns <- read.csv(file.path(data, "columns.csv"))
+  late <- columns$view == "seen_collision" & grepl("spin_(a_[yz]|b)", columns$column)
+  expect_equal(sum(late), 5)
+  utils::write.csv(columns[!late, ], file.path(data, "columns.csv"), row.names = FALSE)
+  collisions <- read.csv(file.path(data, "seen_collision.csv"), check.names = FALSE)
+  utils::write.csv(collisions[setdiff(names(collisions), columns$column[late])],
+    file.path(data, "seen_collision.csv"), row.names = FALSE, na = "")
+  expect_null(spin_imposed(read_spins(study_of_report_data(data))))
 })

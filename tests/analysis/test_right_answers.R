@@ -32,12 +32,15 @@ test_that("the share of right answers is a part of its own, before the answers t
 })
 
 test_that("accuracy is of those who have every level, as in the figure, or else of who has it", {
-  trials <- data.frame(participant = c("A", "A", "B"), scenario = factor(c("drop", "hit", "hit")),
-    correct = c(1, 0, 1))
-  rows <- accuracy_rows(trials, "scenario", c(hit = 0.8))
+  part <- list(kind = "right", factors = c(scenario = "scenario"),
+    study = list(factors = "scenario", published = c(hit = 0.8)),
+    trials = data.frame(participant = c("A", "A", "B"), scenario = factor(c("drop", "hit", "hit")),
+      positive = c(1, 0, 1)))
+  rows <- published_accuracy(part)$table$rows
   expect_equal(rows$participants, c(1, 1))
   expect_equal(rows$accuracy, c(1, 0))
-  rows <- accuracy_rows(trials[-2, ], "scenario", c(hit = 0.8))
+  part$trials <- part$trials[-2, ]
+  rows <- published_accuracy(part)$table$rows
   expect_equal(rows$participants, c(1, 1))
   expect_equal(rows$accuracy, c(1, 1))
 })
@@ -50,15 +53,16 @@ test_that("where one factor says what is right, the answers by that factor tell 
 })
 
 test_that("accuracy stands beside what was published, with Student's intervals", {
-  out <- tempfile("accuracy")
-  said <- capture.output(suppressMessages(report_study("what-will-happen",
-    c(foretold_study(foretold(3, 8)), "--out", out))))
-  rows <- utils::read.csv(file.path(out, "what-will-happen-accuracy.csv"))
+  out <- new_folder()
+  suppressMessages(report_page(list(studies = foretold_study(foretold(3, 8)), out = out),
+    "what-will-happen"))
+  rows <- utils::read.csv(file.path(out, "tables/what-will-happen-answer-right-accuracy.csv"))
   expect_equal(rows$level, names(kRightShare))
   expect_equal(rows$published, c(0.81, 0.75))
   expect_equal(rows$participants, c(8, 8))
   # Of 8 × 80 answers each the standard error is .02 at most.
   expect_equal(rows$accuracy, unname(kRightShare), tolerance = 0.08)
   expect_true(all(rows$low < rows$accuracy & rows$accuracy < rows$high))
-  expect_match(paste(said, collapse = " "), "(published: .75)", fixed = TRUE)
+  page <- paste(readLines(file.path(out, "report.html"), encoding = "UTF-8"), collapse = " ")
+  expect_match(page, "(published: .75)", fixed = TRUE)
 })

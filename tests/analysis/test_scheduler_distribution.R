@@ -73,22 +73,25 @@ test_that("histograms hold every collision of a bin once, and shares their count
     depth$high / (depth$high + depth$low), NA))
 })
 
-test_that("the script runs, from the views alone", {
+test_that("the script's page has the shapes, figures of a page's width and every bin as a file", {
   path <- distribution_file(planted_collisions(604, n = 400))
   out <- new_folder()
   run <- run_script("scheduler-distribution.R", path, "--out", out)
   expect_equal(run$status, 0)
-  files <- file.path(out, paste0("scheduler-distribution", c("-histograms.png", "-shares.pdf",
-    ".csv", "-shapes.csv", ".md")))
-  expect_true(all(file.size(files) > 0))
-  expect_equal(nrow(read.csv(files[4])), 18)
-  expect_match(paste(run$stdout, collapse = " "),
-    "High and low priority share 50 : 50 ± 2 % for every scheduler.", fixed = TRUE)
+  at <- function(folder, name) file.path(out, folder, paste0("scheduler-distribution-distribution-", name))
+  expect_true(all(file.exists(at("figures", c("histograms.svg", "shares.pdf")))))
+  expect_match(readLines(at("figures", "histograms.svg"), n = 3), sprintf("width=\"%d", floor(183 / 25.4 * 72)),
+    all = FALSE)
+  expect_equal(nrow(read.csv(at("tables", "shapes.csv"))), 18)
+  expect_equal(nrow(read.csv(at("tables", "bins.csv"))), 18 * kBins)
+  page <- paste(readLines(file.path(out, "report.html"), encoding = "UTF-8"), collapse = " ")
+  expect_match(page, "High and low priority share 50 : 50 ± 2 % for every scheduler.", fixed = TRUE)
+  expect_match(page, "nothing is tested", fixed = TRUE)
+  # Without collisions, or in data of before, which did not keep their places, nothing is said of them.
   empty <- write_study(tempfile(fileext = ".sqlite"), data.frame(participant = "S01",
     repetition = 1, scheduler = "size", rating = 1), protocol = "scheduler-distribution")
-  run <- run_script("scheduler-distribution.R", empty, "--out", out)
-  expect_equal(run$stderr, paste0("scheduler-distribution.R: ", basename(empty), ": expected ",
-    "collisions of 'scheduler-distribution' with their distance, got none yet"))
+  expect_null(distribution_results(empty, "scheduler-distribution"))
+  expect_null(distribution_results(path, "gap"))
 })
 
 test_that("collisions with a face of the view are out and counted, for no list is made for them", {
@@ -97,19 +100,19 @@ test_that("collisions with a face of the view are out and counted, for no list i
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   DBI::dbExecute(study, "UPDATE collision SET body_b = 'wall right' WHERE step % 4 = 0")
   DBI::dbDisconnect(study)
-  opened <- open_distribution_study(study_description("scheduler-distribution"), path)
-  expect_equal(opened$walls, nrow(planted) / 4)
-  expect_equal(nrow(opened$collisions), nrow(planted) * 3 / 4)
+  found <- placed_collisions(path, "scheduler-distribution")
+  expect_equal(found$walls, nrow(planted) / 4)
+  expect_equal(nrow(found$collisions), nrow(planted) * 3 / 4)
   expect_true(paste("Left out: 300 collisions with a face of the view, which no list is made for.")
-    %in% distribution_sentences(opened))
+    %in% distribution_sentences(found))
 })
 
 test_that("schedulers stand in the order of the thesis, the projected gap under either name", {
   planted <- planted_collisions(606, n = 50)
   planted$scheduler <- factor(planted$scheduler, c("projected-centres", "collision-speed", "gap",
     "eccentricity", "size", "velocity"))
-  opened <- open_distribution_study(study_description("scheduler-distribution"), distribution_file(planted))
-  expect_equal(levels(opened$collisions$scheduler), c("size", "velocity", "eccentricity", "gap",
+  found <- placed_collisions(distribution_file(planted), "scheduler-distribution")
+  expect_equal(levels(found$collisions$scheduler), c("size", "velocity", "eccentricity", "gap",
     "projected-centres", "collision-speed"))
 })
 

@@ -1,11 +1,7 @@
-# A study of thresholds from its views to figures, tables and words.
+# Thresholds of a part: each participant's psychometric function, and what they say in words.
 #
-#   trial_response ──> trials: x (the level on its scale), positive ──> functions
-#   trial_level ─────> condition: every other factor that varies
-#
-#   functions ─┬─> <protocol>-functions.csv, -curves.png      each participant
-#              ├─> <protocol>-thresholds.png, .md             means by condition
-#              └─> <protocol>.csv                             tests, hierarchical model
+#   trial_response ──> trials: x (the level on its scale), positive ─┬─> functions ─┬─> figures, tables
+#   trial_level ─────> condition: every other factor that varies ────┘              └─> threshold_tests.R
 #
 # Invariant: answers that never came are no trials; excluded and catch trials are out
 # (trials_analysed.R).
@@ -15,44 +11,28 @@ kBootstrapDraws <- 200
 kThresholdKinds <- c("yes_no", "two_interval")
 kConditionSeparator <- " × "
 
-open_threshold_study <- function(study, paths) {
-  read <- read_trials(paths, study$protocol, "trial_response", "answered main trials",
-    where = answered_where(kThresholdKinds))
-  names <- unique(read$levels$factor)
-  axis <- names == study$factors | startsWith(names, paste0(study$factors, "_"))
-  read <- keep_people_apart(with_factor_columns(read, c(level = study$factors,
-    stats::setNames(nm = names[!axis]))))
-  with_scale_and_condition(c(read, study[c("title", "log10")]), study$realised_hold)
-}
-
 # The rows of trial_response that are answers of these kinds.
 answered_where <- function(kinds) {
   sprintf("kind IN (%s) AND positive IS NOT NULL AND timed_out = 0",
     paste0("'", kinds, "'", collapse = ", "))
 }
 
-# Adds x, level and condition to the trials; refuses two kinds of answer and levels that are no
-# numbers or, on a logarithmic scale, not above 0.
+# Adds x, level and condition to the trials; refuses levels that are no numbers or, on a logarithmic
+# scale, not above 0.
 with_scale_and_condition <- function(study, realised_hold) {
   trials <- study$trials
-  files <- file_names(study)
-  kinds <- unique(trials$kind)
-  if (length(kinds) > 1) {
-    refuse(files, ": expected answers of one kind, got ", paste(kinds, collapse = " and "))
-  }
   column <- study$factors[["level"]]
   study$axis <- column
   level <- if (realised_hold) trials$realised_hold_ms else
     suppressWarnings(as.numeric(as.character(trials[[column]])))
   if (anyNA(level) || (study$log10 && any(level <= 0))) {
-    refuse(files, ": expected numbers ", if (study$log10) "above 0 ", "as levels of ", column,
+    refuse(study$file, ": expected numbers ", if (study$log10) "above 0 ", "as levels of ", column,
       ", got ", paste(unique(trials[[column]][is.na(level) | (study$log10 & level <= 0)]),
         collapse = ", "))
   }
   # Freezes of equally many frames differ by less than a microsecond.
   study$trials$x <- if (study$log10) log10(level) else round(level, 3)
-  study$guess <- if (kinds == "two_interval") 0.5
-  study$kind <- kinds
+  study$guess <- if (study$kind == "two_interval") 0.5
   study$split <- varying_factors(trials, setdiff(study$factors, column))
   study$trials$condition_of <- condition_names(study$trials, study$split)
   study
@@ -103,20 +83,6 @@ one_function <- function(trials, guess, draws) {
 # A threshold in the unit of the factor, from the scale that it was fitted on.
 in_unit <- function(study, x) if (study$log10) 10^x else x
 
-report_threshold_study <- function(study) {
-  say_progress(kFunctionsStep)
-  functions <- psychometric_functions(study)
-  tests <- threshold_tests(study, functions$rows)
-  means <- threshold_means(study, functions$rows)
-  results <- paste(threshold_words(study, functions$rows, means, tests), collapse = " ")
-  say_progress("drawing the figures ...")
-  captions <- threshold_captions(study)
-  write_outputs(study, tests, results, c(study_sentences(study), scale_sentence(study)),
-    c(paste("Curves.", captions[["curves"]]), "", captions[["thresholds"]]),
-    threshold_section(study, means), write_threshold_figures(study, functions),
-    list(functions = functions$rows))
-}
-
 scale_sentence <- function(study) {
   kind <- if (is.null(study$guess)) "yes or no (guess rate fitted, prior Beta(1, 10))" else
     "a choice of two intervals (guess rate 1/2)"
@@ -144,15 +110,4 @@ threshold_words <- function(study, rows, means, tests) {
       anova$effect_size[i]), ""),
     if (nrow(model) > 0) sprintf("Hierarchical model: %s.", paste(model$effect,
       size_words(model, "%.3g"), sep = ", ", collapse = "; ")))
-}
-
-threshold_section <- function(study, means) {
-  if (is.null(means)) return(NULL)
-  means$interval <- ifelse(is.na(means$low), NA, sprintf("%.3g to %.3g", means$low, means$high))
-  c("## Thresholds", "",
-    table_as_markdown(means, c(condition = "%s", participants = "%d", mean = "%.3g", interval = "%s"),
-      c(condition_label(study), "participants",
-        paste("mean threshold,", name_and_unit(study$axis)), "95 % CI")), "",
-    paste0("Each participant's functions, with bootstrap intervals and goodness of fit: ",
-      study$protocol, "-functions.csv."), "")
 }
