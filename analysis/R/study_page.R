@@ -108,6 +108,7 @@ question_lines <- function(protocol) {
 # The box that stands above results that are of nobody but simulated participants.
 simulated_lines <- function(path, protocol) {
   if (!analyses_simulated(path, protocol)) return(NULL)
+  if (identical(study_description(protocol)$kind, "distribution")) return(NULL)  # nobody is meant to
   paste0("<p class=\"simulated\">SIMULATED: every participant is simulated; these results describe an",
     " observer model, not people.</p>")
 }
@@ -238,11 +239,12 @@ test_lines <- function(rows) {
   }))
 }
 
-# An effect with a study's own factors by their labels, as the words above the table call them.
+# An effect with a study's own factors by their labels, as the words above the table call them; "at 5
+# bodies" are words, not the factor.
 effect_words <- function(effect) {
   own <- names(getOption("impetus.labels"))
   for (factor in own[order(-nchar(own))]) {
-    effect <- gsub(sprintf("(?<![\\w.])\\Q%s\\E(?![\\w.])", factor), plain_name(factor), effect,
+    effect <- gsub(sprintf("(?<![\\w.])(?<!\\d )\\Q%s\\E(?![\\w.])", factor), plain_name(factor), effect,
       perl = TRUE)
   }
   effect

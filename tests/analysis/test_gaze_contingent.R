@@ -149,6 +149,12 @@ test_that("trials marked late are in the primary contrast, and out of its sensit
     p.adjust(tests_of(tests, kContrastFamily)$p, "holm"))
 })
 
+test_that("a table of tests calls factors by their labels, and bodies that are counted bodies", {
+  withr::local_options(impetus.labels = c(bodies = "Number of bodies"))
+  expect_equal(effect_words(c("tracked − random, at 5 bodies", "bodies × scheduling", "bodies: 10 against 5")),
+    c("tracked − random, at 5 bodies", "number of bodies × scheduling", "number of bodies: 10 against 5"))
+})
+
 test_that("a difference's axis says on which side of 0 a kind is better", {
   study <- read_scheduling(gaze_file(gaze_trials(160, participants = 3, repetitions = 1)))
   titles <- function(study) vapply(contrast_figures(study), function(figure) {
