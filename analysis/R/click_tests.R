@@ -37,7 +37,8 @@ click_bootstrap <- function(trials, pair = kTrackedRandom) {
   two <- contrast_trials(trials_with_exposure(trials), pair)
   if (participant_count(two) < 2) return(outcome())
   ratio <- function(rates) rates[[1]] / rates[[2]]
-  do.call(all_outcomes, lapply(c(kOverall, levels(two$bodies)), function(place) {
+  places <- c(kOverall, if (nlevels(two$bodies) > 1) levels(two$bodies))
+  do.call(all_outcomes, lapply(places, function(place) {
     here <- if (place == kOverall) two else two[two$bodies == place, ]
     label <- contrast_label(place, pair)
     parts <- split(here, here$scheduling)[c(pair$of, pair$against)]

@@ -28,7 +28,8 @@ gaze_shown <- function(path, protocol) {
   trials <- trials[trials$phase == "main", ]
   views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
   if (all(is.na(trials$gaze_source)) || !"gaze_trial" %in% views) return(NULL)  # data of before
-  study <- list(trials = trials, gaze = of("gaze_trial"),
+  gaze <- of("gaze_trial")
+  study <- list(trials = trials, gaze = gaze[gaze$phase == "main", ],
     calibrations = rows_of_view(path, "gaze_calibration", protocol))
   calibration <- calibration_quality(study)
   list(words = calibration_sentences(calibration), tables = Filter(Negate(is.null), list(
@@ -96,7 +97,7 @@ gaze_sentences <- function(trials) {
     "The 95th percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials",
     "are in every analysis%s."), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
     if (late == 1) "is" else "are",
-    if (late > 0) "; the tables of sensitivity show the comparisons without them" else ""))
+    if (late > 0 && participant_count(trials) > 1) "; the tables of sensitivity show the comparisons without them" else ""))
 }
 
 source_sentences <- function(trials) {

@@ -198,6 +198,7 @@ friedman_tests <- function(trials, factors, noun = "a rating") {
 paired_test <- function(differences, family, effect, size_name,
                         method = "paired t test of participants' means") {
   if (length(differences) < 2) return(outcome())
+  differences <- round(differences, 12)  # less is rounding
   if (stats::sd(differences) < 1e-9) {  # means of counts and small numbers: below is rounding
     return(outcome(remarks = sprintf("No t test of %s: the differences do not vary.", effect)))
   }

@@ -12,6 +12,10 @@ methods_sentences <- function(path, protocol, parts) {
 # Of people, or of simulated participants where they are those who are analysed.
 people_words <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
+  if (identical(study_description(protocol)$kind, "distribution")) {
+    return(sprintf("Nobody took part: scenes were simulated in %s (protocol '%s').",
+      count_of(sum(rows$sessions), "sitting"), protocol))
+  }
   all_simulated <- analyses_simulated(path, protocol)
   rows <- rows[rows$simulated == all_simulated, ]
   whole <- query_study(path, "SELECT DISTINCT participant FROM excluded WHERE trial IS NULL")
@@ -88,13 +92,18 @@ varied_words <- function(part) {
 
 # The design and the response of one part.
 part_methods <- function(part) {
+  if (part$response == "distribution") return(NULL)
   trials <- part$trials
   per <- range(table(trials$participant))
   c(
     sprintf("%s: %s, %s %ss of each participant.", title_of_part(part),
       if (length(part$factors) == 0) "no factor varied" else varied_words(part), paste(unique(per), collapse = " to "), answer_noun(part)),
     switch(part$response,
-      rating = sprintf("Participants rated from %s.", describe_scale(part$scale)),
+      rating = c(sprintf("Participants rated from %s.", describe_scale(part$scale)),
+        if ("gaps" %in% part$study$shown) paste("Ratings were set against the gap of each trial's first",
+          "collision, as measured after the fact, in a cumulative-link mixed model of its own."),
+        if ("spin" %in% part$study$shown) paste("So they were against the size of the imposed spin, of",
+          "the trials that had one.")),
       mark = sprintf("Participants answered “%s” by a mark on a line from %g to %g.", part$question,
         part$line[1], part$line[2]),
       press = "Participants clicked once in each stimulus, which ended it; its time from onset is analysed.",
@@ -116,7 +125,8 @@ analysis_words <- function(parts) {
     paste("Beside each test's own p stands the one corrected after Holm within its family; what is",
       "said to be found rests on the corrected one."),
     "Where one of these could not be made, the results name it and say why.")
-  c(if (length(people) > 1) tested else
+  described <- identical(kinds, "distribution")
+  c(if (described) tested[1] else if (length(people) > 1) tested else
     "One participant's data are described; no test across participants was made.",
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))
 }
@@ -124,14 +134,16 @@ analysis_words <- function(parts) {
 package_versions <- function(kinds) {
   models <- list(rating = "ordinal", answer = "lme4", threshold = "lme4", clicks = c("glmmTMB", "lme4"),
     scheduling = "ordinal")
-  packages <- unique(c(unlist(lapply(kinds, function(kind) c(models[[kind]], "afex"))), "ggplot2"))
+  packages <- unique(c(unlist(lapply(setdiff(kinds, "distribution"),
+    function(kind) c(models[[kind]], "afex"))), "ggplot2"))
   packages <- packages[vapply(packages, requireNamespace, NA, quietly = TRUE)]
   paste(packages, vapply(packages, function(p) as.character(utils::packageVersion(p)), ""))
 }
 
 # What is cited in a report of these parts: references.dcf tells of which analyses each work is.
 cited_references <- function(parts) {
-  kinds <- c("all", vapply(parts, `[[`, "", "response"))
+  kinds <- c("all", vapply(parts, `[[`, "", "response"),
+    if (any(vapply(parts, function(part) !is.null(part$study$published), NA))) "published")
   works <- read.dcf(code_file("references.dcf"))
   cited <- vapply(strsplit(works[, "Of"], ", "), function(of) any(of %in% kinds), NA)
   sort(works[cited, "Reference"])

@@ -49,7 +49,8 @@ why_no_test <- function(trials) {
 
 constant_remarks <- function(factors) {
   if (length(factors) == 0) return(outcome())
-  outcome(remarks = sprintf("%s has one level in these trials and is not tested.", factors))
+  outcome(remarks = sprintf("%s has one level in these trials and is not tested.",
+    sentence_case(vapply(factors, plain_name, ""))))
 }
 
 # Why there is no inferential test at all; NULL where there is.
@@ -109,6 +110,7 @@ published_accuracy <- function(part) {
     published = as.numeric(part$study$published[match(each$cell, names(part$study$published))]))
   two <- function(x) sub("^0", "", sprintf("%.2f", x))
   known <- rows[!is.na(rows$published), ]
+  if (nrow(known) == 0) return(list())
   list(
     words = sprintf("Share of right answers beside what was published: %s.", paste0(known$level, ": ",
       two(known$accuracy), " (published: ", two(known$published), ")", collapse = "; ")),

@@ -45,7 +45,7 @@ contrast_trials <- function(trials, pair = kTrackedRandom) {
 }
 
 # Differences of − against of each participant's means of the column `of`: participants by
-# "overall" and each number of bodies. Overall is the mean of the others; NA where a cell is empty.
+# "overall" and, where there are several, each number of bodies. Overall is the mean of the others; NA where a cell is empty.
 contrast_differences <- function(trials, of = "rating", pair = kTrackedRandom) {
   two <- contrast_trials(trials, pair)
   bodies <- levels(trials$bodies)
@@ -55,7 +55,7 @@ contrast_differences <- function(trials, of = "rating", pair = kTrackedRandom) {
   differences <- at(pair$of) - at(pair$against)
   differences <- cbind(rowMeans(differences), differences)
   colnames(differences) <- c(kOverall, bodies)
-  differences
+  if (length(bodies) > 1) differences else differences[, kOverall, drop = FALSE]
 }
 
 # Has any participant rated both kinds of the pair at one number of bodies?
@@ -75,7 +75,7 @@ contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom,
                                  response = "rating") {
   is_rating <- response == "rating"
   two <- contrast_trials(if (is_rating) trials else trials_with_exposure(trials), pair)
-  reason <- why_no_contrast(two, response, pair)
+  reason <- why_no_contrast(two, response, pair, without)
   if (!is.null(reason)) return(outcome(remarks = reason))
   if (is_rating) two$rating <- factor(two$rating, ordered = TRUE)
   family <- family_of(if (is_rating) kContrastFamily else kClickContrastFamily, pair)
@@ -119,13 +119,14 @@ contrast_rows <- function(two, response, row) {
   all_outcomes(overall, outcome(apart, both$remarks))
 }
 
-why_no_contrast <- function(two, response, pair) {
+why_no_contrast <- function(two, response, pair, without) {
+  if (nlevels(droplevels(two$scheduling)) < 2) {
+    return(sprintf("There is no contrast of %s of %s%s: it needs trials of both%s.",
+      response_model(response)$noun, pair_words(pair, " against "), without,
+      if (response == "clicks") " of which it is known how long one could click" else ""))
+  }
   none <- if (response == "rating") why_no_test(two)
   if (!is.null(none)) return(none)
-  if (nlevels(droplevels(two$scheduling)) < 2) {
-    return(sprintf("There is no planned contrast: it needs trials of %s and of %s.", pair$of,
-      pair$against))
-  }
   why_no_model(two, c("scheduling", if (response == "rating") varying_factors(two, "bodies")),
     response, paste(response_model(response)$kind, "of the planned contrast"))
 }

@@ -109,13 +109,14 @@ factor_of_trials <- function(trials, levels, column, name, file) {
   factor(value, c(own, setdiff(sort(unique(value)), own)))
 }
 
-# What the protocols of a report's data call their factors and how they order them and their levels,
+# What a protocol of a report's data calls its factors and how it orders them and their levels,
 # as options that label_of(), with_every_factor() and factor_of_trials() go by: labels up to a colon. A
-# factor that protocols call by different words, or by such as would be markup, keeps its name.
-design_words <- function(path) {
+# factor that versions of it call by different words, or by such as would be markup, keeps its name.
+design_words <- function(path, protocol) {
   views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
   rows <- if ("design_level" %in% views) query_study(path,
-    "SELECT DISTINCT factor, label, level FROM design_level ORDER BY place, number")
+    "SELECT DISTINCT factor, label, level FROM design_level WHERE protocol = ? ORDER BY place, number",
+    protocol)
   if (NROW(rows) == 0) return(list())
   labels <- vapply(split(trimws(sub(":.*$", "", rows$label)), rows$factor), function(words) {
     if (length(unique(words)) == 1) words[1] else NA_character_

@@ -113,7 +113,8 @@ anova_interaction_words <- function(tests) {
   c(
     if (any(found)) sprintf("Interactions in the repeated-measures ANOVA: %s.", paste(names[found],
       F_words(rows[found, ]), sep = ", ", collapse = "; ")),
-    if (any(!found)) sprintf("Not detected, which is not evidence of absence: %s.",
+    if (any(!found)) sprintf(paste("Interactions not detected in the repeated-measures ANOVA, which is",
+      "not evidence of their absence: %s."),
       paste(names[!found], both_p_words(rows[!found, ]), sep = ", ", collapse = "; ")))
 }
 

@@ -39,7 +39,8 @@ parts_of_protocol <- function(path, protocol) {
       read_part(mark_part(path, protocol, question))
     }),
     if (any(clicks$phase == "main")) {
-      list(read_part(if (all(clicks$first_ends == 1)) press_part(path, protocol) else
+      ends <- !is.null(clicks$first_ends) && all(clicks$first_ends == 1)  # data of before say nothing
+      list(read_part(if (ends) press_part(path, protocol) else
         click_part(path, protocol)))
     },
     if (identical(study$kind, "scheduling") && any(ratings$phase == "main"))

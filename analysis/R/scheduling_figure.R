@@ -22,6 +22,7 @@ contrast_figures <- function(part) {
   better <- function(of) if (of == "rating" && part$scale$rating_best == part$scale$rating_maximum)
     "above" else "below"
   who <- who_words(part$all_simulated)
+  several <- participant_count(part$trials) > 1
   lapply(contrasts_drawn(part), function(figure) {
     pair <- figure$pair
     margin <- if (figure$of == "rating") equivalence_margin(part$scale)
@@ -31,7 +32,7 @@ contrast_figures <- function(part) {
         difference_axis(sprintf("%s, %s\n(%s 0: %s is better)", title, pair_words(pair),
           better(figure$of), pair$of)) + column_theme(),
       caption = paste0(title, ", ", pair_words(pair), ", of each ", who, " (grey); black: the mean",
-        " and its 95 % t interval", if (!is.null(margin)) sprintf("; grey band: the equivalence margin of ±%.2f points",
+        if (several) " and its 95 % t interval", if (!is.null(margin)) sprintf("; grey band: the equivalence margin of ±%.2f points",
           margin), "."))
   })
 }

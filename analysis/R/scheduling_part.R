@@ -94,8 +94,9 @@ scheduling_results <- function(part) {
         heads = c("Scheduling", "Bodies", "Participants", "Trials", "Clicks in all", "Per trial",
           "Time (s)", "Clicks per second", "95 % CI, from", "to", "Bad events per trial",
           "Clicks per bad event"),
-        note = paste("Intervals: bootstrap over participants. Bad events: bad collisions, merged;",
-          "the number of them is what there was to click at.")),
+        note = paste0(if (any(!is.na(clicks$interval_low)))
+          "Intervals: bootstrap over participants. ", "Bad events: bad collisions, merged; the number",
+          " of them is what there was to click at.")),
       list(name = "exposure", title = "What was shown, by kind", rows = exposure_table(each),
         heads = c("Scheduling", "Bodies", "Participants", "Trials",
           sentence_case(unname(kExposureMeasures))),
@@ -129,6 +130,7 @@ scheduling_tests <- function(part, each) {
 thesis_tests <- function(trials) {
   two <- contrast_trials(trials)
   if (nlevels(droplevels(two$scheduling)) < 2 || participant_count(two) < 2) return(outcome())
-  all_outcomes(pooled_tests(two, "scheduling", by = "bodies"),
-    pooled_tests(two, "scheduling", by = "bodies", of = "clicks", family = kClickPooledFamily))
+  by <- varying_factors(two, "bodies")
+  all_outcomes(pooled_tests(two, "scheduling", by),
+    pooled_tests(two, "scheduling", by, "clicks", kClickPooledFamily))
 }

@@ -47,8 +47,9 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
         contrast_random_words(rows), nrow(rows), estimates_words(rows)),
       verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse",
         pair)),
-    if (nrow(means) > 0) sprintf(
-      "The same in rating points (%s, paired t tests of participants' means): %s.",
+    if (nrow(means) > 0) sprintf("%s (%s, paired t tests of participants' means): %s.",
+      if (nrow(rows) > 0) "The same in rating points" else
+        paste(if (pair$planned) "Planned contrast" else "Beside it, contrast", "in rating points"),
       pair_words(pair), estimates_words(means, "%+.2f")),
     equivalence_verdict(tests_of(tests, family_of(kEquivalenceFamily, pair)),
       sprintf("±%.2f points", equivalence_margin(scale))),
@@ -95,8 +96,8 @@ click_contrast_words <- function(tests, pair = kTrackedRandom) {
         contrast_random_words(rows), nrow(rows), pair_words(pair, " / "), estimates_words(rows)),
       verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often",
         pair)),
-    if (nrow(bootstrap) > 0) sprintf("By bootstrap over participants: %s.",
-      estimates_words(bootstrap)),
+    if (nrow(bootstrap) > 0) sprintf("Rate ratio of clicks %s by bootstrap over participants: %s.",
+      pair_words(pair, " / "), estimates_words(bootstrap)),
     equivalence_verdict(tests_of(tests, family_of(kClickEquivalenceFamily, pair)),
       sprintf("a ratio of %.2f to %.2f", kRateMargin[1], kRateMargin[2])),
     if (pair$planned) thesis_words(tests, kClickPooledFamily))

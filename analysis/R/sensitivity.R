@@ -146,5 +146,5 @@ threshold_sensitivity <- function(part) {
   if (is.null(rows)) return(NULL)
   list(name = "sensitivity", title = "Sensitivity: thresholds under other choices",
     heads = c("Condition", "Choice", "Participants", "Mean threshold", "95 % CI, from", "to"),
-    rows = rows[order(rows$condition), ])
+    rows = rows[order(match(rows$condition, levels(part$trials$condition_of))), ])
 }

@@ -89,17 +89,18 @@ shown_table <- function(trials, by) {
 
 gap_tests <- function(trials) {
   trials$log10_gap <- log10(trials$gap_arcmin + 1)
-  measured_effect_tests(trials, "log10_gap", "gap shown", c(kGapFamily, kGapOddsFamily))
+  measured_effect_tests(trials, "log10_gap", "gap shown", c(kGapFamily, kGapOddsFamily),
+    "log₁₀ of the gap plus 1′")
 }
 
 gap_words <- function(tests) {
-  measured_effect_words(tests, "In a second mixed model, of the gap as it was shown",
+  measured_effect_words(tests, "In a mixed model of the gap as it was shown",
     c(kGapFamily, kGapOddsFamily), "a tenfold gap (plus 1′)")
 }
 
 # The mixed model of rating on a number measured in each trial, with a slope of it per participant.
-# `name`: what it is a model of.
-measured_effect_tests <- function(trials, column, name, families) {
+# `name`: what it is a model of; `effect`: what its tests call the number.
+measured_effect_tests <- function(trials, column, name, families, effect) {
   kind <- paste("mixed model of the", name)
   if (!is.null(why_no_test(trials)) || participant_count(trials) < 3 ||
       length(unique(trials[[column]])) == 1) {
@@ -108,7 +109,9 @@ measured_effect_tests <- function(trials, column, name, families) {
   }
   trials$rating <- factor(trials$rating, ordered = TRUE)
   say_progress(sprintf("fitting the %s ...", kind))
-  model_tests(fit_models(trials, column, column, kind = kind), trials, column, kind, families)
+  tests <- model_tests(fit_models(trials, column, column, kind = kind), trials, column, kind, families)
+  if (!is.null(tests$rows)) tests$rows$effect <- sub(column, effect, tests$rows$effect, fixed = TRUE)
+  tests
 }
 
 measured_effect_words <- function(tests, opening, families, unit) {
@@ -149,7 +152,7 @@ spin_imposed <- function(part) {
       to = spin[3], rating = mean(cells[[name]]$rating))
   })
   list(tests = measured_effect_tests(drawn, "imposed_spin_rad_s", "imposed spin",
-      c(kSpinFamily, kSpinOddsFamily)),
+      c(kSpinFamily, kSpinOddsFamily), "spin (rad/s)"),
     words = function(tests) measured_effect_words(tests, "Among the trials with random spin",
       c(kSpinFamily, kSpinOddsFamily), "each rad/s of it"),
     table = list(name = "spin", title = "The imposed random spin", rows = rows,

@@ -19,7 +19,8 @@
 #               Thesis tests    are the thesis's own tests made too?
 # SPDX-License-Identifier: MIT
 
-kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
+# Of all these studies, in the order in which they stand wherever they are reported.
+kSchedulingKinds <- c("all-good", "tracked", "recorded", "random", "all-bad")
 
 # The study of this name as list(protocol, title, kind, factors, views, ...); NULL where none is
 # described.

@@ -19,11 +19,13 @@ report_page <- function(arguments, only = NULL) {
   if (length(study) > 1) {
     refuse("expected one study file, got ", length(study), "; `impetus merge` makes one of several")
   }
-  if (!dir.exists(study)) refuse_without_protocol(study, only)
+  if (dir.exists(study)) refuse_data_without_protocol(study, only) else
+    refuse_without_protocol(study, only)
   data <- file.path(arguments$out, "data")
   lapply(c(arguments$out, data), prepare_folder)
   if (dir.exists(study)) copy_report_data(study, data) else write_report_data(study, data)
   need_packages(packages_for_data(data))
+  copy_code(arguments$out)
   write_study_report(arguments$out, only)
   end_progress()
   say_progress("wrote ", file.path(arguments$out, "report.html"), ", figures/ and tables/")
@@ -37,19 +39,39 @@ refuse_without_protocol <- function(path, protocol) {
   if (nrow(enrolled) == 0) refuse_protocol(study, path, protocol)
 }
 
+# The same of the data/ of an earlier report.
+refuse_data_without_protocol <- function(folder, protocol) {
+  if (is.null(protocol)) return(invisible())
+  path <- study_of_report_data(folder)
+  study <- withr::local_db_connection(open_study(path, "enrolment_summary"))
+  enrolled <- DBI::dbGetQuery(study, "SELECT 1 FROM enrolment_summary WHERE protocol = ?", list(protocol))
+  if (nrow(enrolled) == 0) refuse_protocol(study, folder, protocol)
+}
+
+# The code of the report beside it, where `impetus report` has not put it there.
+copy_code <- function(folder) {
+  from <- getOption("impetus.analysis")
+  to <- file.path(folder, "analysis")
+  if (dir.exists(to)) return(invisible())
+  dir.create(to)
+  file.copy(file.path(from, c("report.R", "R", "studies")), to, recursive = TRUE)
+}
+
 # Makes the whole report in `folder` from the data in folder/data.
 write_study_report <- function(folder, only = NULL) {
   for (part in c("figures", "tables")) dir.create(file.path(folder, part), showWarnings = FALSE)
   path <- study_of_report_data(file.path(folder, "data"))
-  withr::local_options(design_words(path))
   about <- utils::read.csv(file.path(folder, "data/study.csv"), colClasses = "character")
   protocols <- query_study(path,
     "SELECT DISTINCT protocol FROM enrolment_summary ORDER BY protocol")$protocol
   if (!is.null(only)) protocols <- intersect(protocols, only)
-  parts <- lapply(protocols, parts_of_protocol, path = path)
-  expect_steps(unlist(lapply(parts, steps_of_parts)))
+  in_words_of <- function(protocol, made) withr::with_options(design_words(path, protocol), made)
+  parts <- lapply(protocols, function(one) in_words_of(one, parts_of_protocol(path, one)))
+  expect_steps(unlist(Map(function(one, its) in_words_of(one, steps_of_parts(its)), protocols, parts,
+    USE.NAMES = FALSE)))
   body <- if (length(protocols) == 0) "<p>Nobody has been enrolled yet.</p>" else
-    unlist(Map(protocol_lines, protocols, parts, path = path, folder = folder))
+    unlist(Map(function(one, its) in_words_of(one, protocol_lines(one, its, path, folder)),
+      protocols, parts))
   writeLines(enc2utf8(page_of(about, protocols, body)), file.path(folder, "report.html"),
     useBytes = TRUE)
 }
@@ -84,19 +106,22 @@ protocol_lines <- function(protocol, parts, path, folder) {
   results <- lapply(parts, function(part) {
     results_of_part(part, if (nrow(part$exclusions) > 0) trials_with_excluded(path, part))
   })
-  results <- c(results, Filter(Negate(is.null), list(distribution_results(path, protocol))))
+  distribution <- Filter(Negate(is.null), list(distribution_results(path, protocol)))
+  results <- c(results, distribution)
+  analysed <- c(parts, lapply(distribution, `[[`, "part"))
   c(sprintf("<h2 id=\"%s\">%s</h2>", anchor_of(protocol), html_text(protocol)),
     sprintf("<p>%s</p>", html_text(protocol_titles(path, protocol))), question_lines(protocol),
     simulated_lines(path, protocol), "<h3>Participants and exclusions</h3>",
     html_table(participants_table(path, protocol), kParticipantHeads),
     unlist(lapply(parts, part_data_lines)), design_lines(parts),
     "<h3>What was really shown</h3>", shown_lines(path, protocol), gaze_lines(path, protocol, folder),
-    html_paragraphs(vapply(refused, `[[`, "", "why")),
+    sprintf("<p>%s</p>", html_text(unique(vapply(refused, `[[`, "", "why")))),
     if (length(results) + length(refused) == 0) paste0("<h3>Results</h3><p>There are no answers of the",
       " main phase yet, or the protocol asks for none: nothing was tested.</p>"),
     unlist(lapply(results, result_lines, folder = folder)), "<h3>Methods, in words</h3>",
-    html_paragraphs(paste(methods_sentences(path, protocol, parts), collapse = " ")),
-    "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(parts))), "</ul>")
+    html_paragraphs(paste(methods_sentences(path, protocol, analysed), collapse = " ")),
+    "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(analysed))),
+    "</ul>")
 }
 
 # What a study that is described asks, and what the thesis found.
@@ -208,20 +233,21 @@ result_lines <- function(result, folder) {
     if (!is.null(part$scale)) html_paragraphs(scale_words(part$scale)), figures,
     "<h4>Results in words</h4>",
     html_paragraphs(vapply(result$paragraphs, paste, "", collapse = " ")),
-    "<h4>Tests and estimates</h4>", test_lines(result$tests$rows),
+    "<h4>Tests and estimates</h4>", test_lines(result$tests$rows, part$response != "scheduling"),
     if (length(result$tests$remarks) > 0) c("<h4>Remarks on the tests</h4>",
       html_of_lines(paste("-", result$tests$remarks))), tables)
 }
 
-# A table for each family of tests.
-test_lines <- function(rows) {
+# A table for each family of tests. `named`: are effects called by their factors, or in words already?
+test_lines <- function(rows, named = TRUE) {
   if (nrow(rows) == 0) return("<p>No test was made.</p>")
   unlist(lapply(unique(rows$family), function(family) {
     mine <- rows[rows$family == family, ]
     statistic <- ifelse(is.na(mine$statistic_name), NA, sprintf("%s%s = %s",
       sub("chi-squared", "χ²", mine$statistic_name), df_words(mine), format_number(mine$statistic)))
     statistic <- gsub(" ", "\u00a0", statistic)  # a table breaks no line inside a number
-    effect <- effect_words(gsub("(?<=\\S):(?=\\S)", " × ", mine$effect, perl = TRUE))
+    effect <- gsub("(?<=\\S):(?=\\S)", " × ", mine$effect, perl = TRUE)
+    if (named) effect <- effect_words(effect)
     interval <- ifelse(is.na(mine$interval_low), NA, sprintf("%s to %s",
       format_number(mine$interval_low), format_number(mine$interval_high)))
     shown <- data.frame(effect = effect, statistic = statistic, p = p_cell(mine$p),
@@ -239,12 +265,11 @@ test_lines <- function(rows) {
   }))
 }
 
-# An effect with a study's own factors by their labels, as the words above the table call them; "at 5
-# bodies" are words, not the factor.
+# An effect with a study's own factors by their labels, as the words above the table call them.
 effect_words <- function(effect) {
   own <- names(getOption("impetus.labels"))
   for (factor in own[order(-nchar(own))]) {
-    effect <- gsub(sprintf("(?<![\\w.])(?<!\\d )\\Q%s\\E(?![\\w.])", factor), plain_name(factor), effect,
+    effect <- gsub(sprintf("(?<![\\w.])\\Q%s\\E(?![\\w.])", factor), plain_name(factor), effect,
       perl = TRUE)
   }
   effect

@@ -106,7 +106,8 @@ threshold_words <- function(study, rows, means, tests) {
       if (length(study$split) > 0) paste(", by", condition_label(study)) else "", each,
       count_of(used, "function")),
     vapply(seq_len(nrow(anova)), function(i) sprintf(
-      "%s: %s, generalised η² = %.3f.", gsub(":", " × ", anova$effect[i]), F_words(anova[i, ]),
+      "%s: %s, generalised η² = %.3f.", sentence_case(effect_words(gsub(":", " × ", anova$effect[i]))),
+      F_words(anova[i, ]),
       anova$effect_size[i]), ""),
     if (nrow(model) > 0) sprintf("Hierarchical model: %s.", paste(model$effect,
       size_words(model, "%.3g"), sep = ", ", collapse = "; ")))

@@ -52,7 +52,7 @@ threshold_remarks <- function(study, rows) {
   poor <- sum(rows$deviance_p < kSignificance, na.rm = TRUE)
   c(
     if (nrow(without) > 0) sprintf(
-      "No threshold, for the answers do not rise with %s: %s.", study$axis, named(without)),
+      "No threshold, for the answers do not rise with %s: %s.", plain_name(study$axis), named(without)),
     if (nrow(outside) > 0) sprintf(
       "Threshold outside the levels shown, left out of means and tests: %s.", named(outside)),
     if (poor > 0) sprintf(paste("%s of %d fit worse than 19 of 20 draws from themselves would",
@@ -103,7 +103,7 @@ hierarchical_rows <- function(study, model, trials, random) {
     condition <- sub("^condition|^\\(Intercept\\)|^1$", "", name)
     test_row(kThresholdFamily, paste0("binomial mixed model, ",
       if (is.null(study$guess)) "probit" else "1/2 + 1/2 probit", ", ", random, "; Wald"),
-      trimws(paste("threshold", condition)), NA, NA, NA, p = NA, size_name = study$axis,
+      trimws(paste("threshold", condition)), NA, NA, NA, p = NA, size_name = name_and_unit(study$axis),
       size = in_unit(study, x), interval = limits, interval_level = 0.95,
       participants = participant_count(trials), trials = nrow(trials))
   })

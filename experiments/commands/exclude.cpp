@@ -1,12 +1,10 @@
 // `impetus exclude`: what the analysis is to leave out, and why.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <filesystem>
 #include <string>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/provenance/build_name.hpp"
-#include "experiments/settings/input_error.hpp"
 #include "experiments/store/exclusion.hpp"
 
 namespace impetus::inline commands {
@@ -20,11 +18,12 @@ struct ExcludeOptions {
 };
 
 int run_exclude(const ExcludeOptions& options) {
-  if (std::error_code error; !std::filesystem::exists(options.database, error)) {
-    throw InputError(options.database + ": expected an Impetus study, but there is no such file");
-  }
   Exclusion exclusion = options.exclusion;
   exclusion.excluded = !options.take_back;
+  {  // what is refused leaves the file as it is
+    StudyFile as_it_is = StudyFile::open_for_reading(options.database);
+    require_excludable(as_it_is, exclusion);
+  }
   StudyFile study = StudyFile::open_for_writing(options.database, build_name());
   exclude(study, exclusion);
   const std::string trial =
@@ -50,7 +49,9 @@ void add_exclude(CLI::App& app, Command& chosen) {
   command->add_option("--reason", options->exclusion.reason, "Why; it stands in every report")
       ->required()
       ->check([](const std::string& reason) {
-        return reason.empty() ? std::string("expected a reason, got none") : std::string();
+        return reason.find_first_not_of(" \t\n") == std::string::npos
+                   ? std::string("expected a reason, got none")
+                   : std::string();
       });
   command->add_flag("--take-back", options->take_back, "In again; the rows stay");
 }

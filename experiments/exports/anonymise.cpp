@@ -72,16 +72,26 @@ void rename_in_protocols(SQLite::Database& study, const std::map<std::string, st
     std::string protocol;
     std::string hash;
   };
+  std::map<std::string, std::string> strangers;
+  const auto stranger =
+      [&](const std::string& code) {  // who is not in the study; each has one name
+        const std::string number =
+            strangers.empty() ? "" : "-" + std::to_string(strangers.size() + 1);
+        return strangers.try_emplace(code, "A00" + number).first->second;
+      };
   std::vector<Changed> changed;
   RowQuery query(study, "SELECT id, protocol_json, scene_json FROM protocol");
   const json::json_pointer place("/gaze/yoked_to/participant");
   while (query.step()) {
     json protocol = json::parse(query.bytes(1), nullptr, false);
-    if (protocol.is_discarded() || !protocol.contains(place) || !protocol.at(place).is_string()) {
+    if (protocol.is_discarded() || !protocol.contains(place) || !protocol.at(place).is_string() ||
+        protocol.at(place) == YokeRule::kPrevious ||
+        protocol.at(place) == YokeRule::kLeastFollowed) {
       continue;
     }
-    const auto code = codes.find(protocol.at(place).get<std::string>());
-    protocol[place] = code == codes.end() ? "A00" : code->second;
+    const auto was = protocol.at(place).get<std::string>();
+    const auto code = codes.find(was);
+    protocol[place] = code == codes.end() ? stranger(was) : code->second;
     const std::string text = protocol.dump(2);
     changed.push_back({query.integer(0), text, hash(text, query.text(2))});
   }

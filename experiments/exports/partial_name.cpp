@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = ".partial-";
+constexpr std::string_view kJournal = "-journal";
 constexpr std::size_t kLetters = 6;
 
 OpenFile opened(const fs::path& path) { return OpenFile(open(path.c_str(), O_RDONLY | O_CLOEXEC)); }
@@ -35,10 +36,18 @@ void remove_what_was_left(const fs::path& target) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(
            target.has_parent_path() ? target.parent_path() : fs::path("."), ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (name.size() == begin.size() + kLetters && name.starts_with(begin) &&
-        is_left_behind(entry.path())) {
-      fs::remove_all(entry.path(), ignored);
+    std::string name = entry.path().filename().string();
+    fs::path of = entry.path();
+    if (name.ends_with(kJournal)) {  // a journal goes with its file, or after it
+      name.resize(name.size() - kJournal.size());
+      of.replace_filename(name);
+      if (fs::exists(of, ignored)) {
+        continue;
+      }
+      of = entry.path();
+    }
+    if (name.size() == begin.size() + kLetters && name.starts_with(begin) && is_left_behind(of)) {
+      fs::remove_all(of, ignored);
     }
   }
 }

@@ -4,12 +4,15 @@
 #include <SQLiteCpp/Statement.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "experiments/settings/input_error.hpp"
+#include "experiments/store/read_only_file.hpp"
 
 namespace impetus::inline exports {
 namespace {
@@ -37,6 +40,38 @@ fs::path free_target(const fs::path& asked, const FolderCheck& check) {
   fs::path target = without_last_slash(asked);
   require_free(target, check);
   return target;
+}
+
+/// What tells people's enrolments in a study from all others.
+std::set<std::string> enrolments_in(StudyFile& study) {
+  std::set<std::string> all;
+  SQLite::Statement query(
+      study.database(),
+      "SELECT pseudonym || ', ' || seed || ', ' || planned_utc FROM participant JOIN enrolment ON "
+      "participant_id = participant.id");
+  while (query.executeStep()) {
+    all.insert(query.getColumn(0).getString());
+  }
+  return all;
+}
+
+/// Throws InputError unless the study at `target` can be made again: it was anonymised, or all who
+/// took part in it did so in `study`, too.
+void require_earlier_copy(StudyFile& study, const fs::path& target) {
+  const ReadingLock lock(target);
+  if (!lock.held()) {
+    throw InputError(target.string() +
+                     ": in use by another Impetus process; end that session first");
+  }
+  StudyFile there = StudyFile::open_for_reading(target);
+  const auto anonymised = there.database().execAndGet("SELECT anonymised_by FROM study");
+  const std::set<std::string> theirs = enrolments_in(there);
+  const std::set<std::string> ours = enrolments_in(study);
+  if (anonymised.isNull() &&
+      !std::includes(ours.begin(), ours.end(), theirs.begin(), theirs.end())) {
+    throw InputError(target.string() + ": expected an earlier export of " + study.name() +
+                     ", got a study of people whom that has not; it is not overwritten");
+  }
 }
 
 }  // namespace
@@ -76,7 +111,10 @@ WholeFile::WholeFile(const fs::path& target)
   }
 }
 
-WholeFile::~WholeFile() { unlink(partial_.path().c_str()); }
+WholeFile::~WholeFile() {
+  unlink(partial_.path().c_str());
+  unlink((partial_.path().string() + "-journal").c_str());  // SQLite's, of a copy that failed
+}
 
 void WholeFile::put_in_place() {
   std::error_code error;
@@ -156,8 +194,9 @@ void WholeFolder::put_in_place() {
   }
 }
 
-void require_free_file(const StudyFile& study, const fs::path& target, bool replace) {
+void require_free_file(StudyFile& study, const fs::path& target, bool replace) {
   const std::string name = target.string();
+  require_no_strange_log(target);
   if (!fs::exists(target)) {
     return;
   }
@@ -170,7 +209,7 @@ void require_free_file(const StudyFile& study, const fs::path& target, bool repl
   if (fs::equivalent(study.name(), target)) {
     throw InputError("--out: expected another file than the study itself, got " + name);
   }
-  static_cast<void>(StudyFile::open_for_reading(target));  // a study: nothing else is overwritten
+  require_earlier_copy(study, target);
 }
 
 void write_study_copy(StudyFile& study, const fs::path& target) {

@@ -107,7 +107,7 @@ class WholeFolder {
 };
 
 /// Refuses a target that exists; with `replace` it may be another study. Throws InputError.
-void require_free_file(const StudyFile& study, const std::filesystem::path& target, bool replace);
+void require_free_file(StudyFile& study, const std::filesystem::path& target, bool replace);
 
 /// Writes the study to `target`. Throws StoreError when it cannot be written; then nothing has
 /// changed.

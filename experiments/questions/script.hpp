@@ -62,10 +62,12 @@ struct CalibrationTask {
 
 /// Whose recorded gaze the regions of kind recorded follow.
 struct YokeRule {
-  /// A participant's code; "previous": the last one who has finished; "least-followed": of those
-  /// who have finished, the first whom the fewest others follow. Never the participant as such.
-  std::string participant;
-  std::string protocol;  ///< in which they were recorded; "": this one
+  static constexpr const char* kPrevious = "previous";  ///< the last one who has finished
+  /// Of those who have finished, the first whom the fewest others follow.
+  static constexpr const char* kLeastFollowed = "least-followed";
+
+  std::string participant;  ///< a code or one of these words; never the participant as such
+  std::string protocol;     ///< in which they were recorded; "": this one
 };
 
 /// The gaze is followed during the stimulus.

@@ -44,7 +44,7 @@ std::string what(const Exclusion& exclusion) {
 
 }  // namespace
 
-void exclude(StudyFile& study, const Exclusion& exclusion) {
+std::int64_t require_excludable(StudyFile& study, const Exclusion& exclusion) {
   const std::int64_t participant = participant_id(study, exclusion.participant);
   if (exclusion.trial_id) {
     require_trial(study, participant, exclusion);
@@ -53,6 +53,11 @@ void exclude(StudyFile& study, const Exclusion& exclusion) {
     throw InputError(study.name() + ": " + what(exclusion) +
                      (exclusion.excluded ? " is excluded already" : " is not excluded"));
   }
+  return participant;
+}
+
+void exclude(StudyFile& study, const Exclusion& exclusion) {
+  const std::int64_t participant = require_excludable(study, exclusion);
   SQLite::Transaction transaction(study.database());
   insert_row(study.database(), "exclusion",
              {{"participant_id", participant},

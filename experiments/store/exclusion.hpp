@@ -18,8 +18,11 @@ struct Exclusion {
   std::string reason;
 };
 
-/// Adds a row; the study was opened for writing. Throws InputError when there is no such
-/// participant or trial of theirs, when it is excluded already, or not, for taking back.
+/// The participant's id. Throws InputError when there is no such participant or trial of theirs,
+/// when it is excluded already, or not, for taking back.
+std::int64_t require_excludable(StudyFile& study, const Exclusion& exclusion);
+
+/// Adds a row; the study was opened for writing. Throws what require_excludable() throws.
 void exclude(StudyFile& study, const Exclusion& exclusion);
 
 }  // namespace impetus::inline store

@@ -32,11 +32,28 @@ void read_something(SQLite::Database& database) {
   database.execAndGet("SELECT count(*) FROM sqlite_master");
 }
 
+/// What SQLite keeps beside a file, which it finds beside the file that a link leads to.
+std::filesystem::path beside(const std::filesystem::path& path, const char* suffix) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+  return (error ? path : whole).string() + suffix;
+}
+
+/// The change that a program which died in it left half-written: "study.sqlite-journal".
+std::filesystem::path journal_beside(const std::filesystem::path& path) {
+  return beside(path, "-journal");
+}
+
+bool holds_anything(const std::filesystem::path& path) {
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(path, missing);
+  return !missing && size > 0;
+}
+
 }  // namespace
 
 void require_files(const std::filesystem::path& path) {
-  for (const char* suffix : {"", "-wal", "-journal"}) {
-    const std::filesystem::path file = path.string() + suffix;
+  for (const std::filesystem::path& file : {path, log_beside(path), journal_beside(path)}) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!error && !std::filesystem::is_regular_file(status)) {
@@ -59,6 +76,12 @@ std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& pa
   } catch (const SQLite::Exception& error) {
     const bool no_place_for_a_log =
         error.getErrorCode() == SQLITE_CANTOPEN || error.getErrorCode() == SQLITE_READONLY;
+    if (no_place_for_a_log && holds_anything(journal_beside(path))) {
+      throw InputError(path.string() + ": expected a study whose changes are whole, but " +
+                       journal_beside(path).string() +
+                       " holds one that a program left half-written; `sqlite3 " + path.string() +
+                       " .tables`, where the file can be written, takes it back");
+    }
     if (no_place_for_a_log && !has_log(path)) {
       return std::make_unique<SQLite::Database>(uri_of(path),
                                                 SQLite::OPEN_READONLY | SQLite::OPEN_URI);
@@ -67,14 +90,18 @@ std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& pa
   return database;
 }
 
-std::filesystem::path log_beside(const std::filesystem::path& path) {
-  return path.string() + "-wal";
-}
+std::filesystem::path log_beside(const std::filesystem::path& path) { return beside(path, "-wal"); }
 
-bool has_log(const std::filesystem::path& path) {
-  std::error_code missing;
-  const std::uintmax_t size = std::filesystem::file_size(log_beside(path), missing);
-  return !missing && size > 0;
+bool has_log(const std::filesystem::path& path) { return holds_anything(log_beside(path)); }
+
+void require_no_strange_log(const std::filesystem::path& path) {
+  for (const std::filesystem::path& left : {log_beside(path), journal_beside(path)}) {
+    if (holds_anything(left)) {
+      throw InputError(path.string() + ": expected nothing of an earlier study of this name, but " +
+                       left.string() +
+                       " is there, which would be read as a part of the new one; move it away");
+    }
+  }
 }
 
 ReadingLock::ReadingLock(const std::filesystem::path& path) {

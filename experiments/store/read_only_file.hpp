@@ -19,7 +19,8 @@ std::string plain_name(const std::filesystem::path& path);
 
 /// Opens the database for reading. A copy that was left in write-ahead mode without its log, in a
 /// folder that cannot be written, is read as what it is: a file that nobody changes. Throws
-/// SQLite::Exception.
+/// SQLite::Exception, and InputError where a change was left half-written that reading cannot take
+/// back.
 std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& path);
 
 /// The log of commits that are not in the file yet: "study.sqlite-wal". It belongs to the study.
@@ -27,6 +28,9 @@ std::filesystem::path log_beside(const std::filesystem::path& path);
 
 /// Whether such a log stands beside the file and holds anything.
 bool has_log(const std::filesystem::path& path);
+
+/// Throws InputError where a log or a half-written change stands beside a file that is to be made.
+void require_no_strange_log(const std::filesystem::path& path);
 
 /// Keeps every session away from a study while it is read, for as long as this lives: it must
 /// outlive the database that is open on the file, whose own locks it would take along.

@@ -34,6 +34,25 @@ bool is_present(const std::filesystem::path& path, int descriptor) {
          named.st_dev == open.st_dev && named.st_ino == open.st_ino;
 }
 
+/// Writes the whole study to a file that is not there yet: under another name until it is whole, so
+/// that no half of it is ever taken for it. Throws SQLite::Exception and filesystem_error.
+void copy_to(SQLite::Database& database, const std::filesystem::path& path) {
+  const std::string unfinished = path.string() + ".unfinished";
+  const auto remove = [&] {
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    std::filesystem::remove(unfinished + "-journal", ignored);
+  };
+  remove();
+  try {
+    execute(database, "VACUUM INTO ?", plain_name(unfinished));
+    std::filesystem::rename(unfinished, path);
+  } catch (...) {
+    remove();
+    throw;
+  }
+}
+
 /// Writes the whole study beside where it was, as "study.rescued.sqlite" or, where there is such a
 /// file, "study.rescued-2.sqlite", ...; returns that path. Throws SQLite::Exception.
 std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::path& path) {
@@ -43,7 +62,7 @@ std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::
     rescued = path;
     rescued.replace_extension(".rescued-" + std::to_string(number) + path.extension().string());
   }
-  execute(database, "VACUUM INTO ?", plain_name(rescued));
+  copy_to(database, rescued);
   return rescued;
 }
 
@@ -110,7 +129,7 @@ void keep_original(SQLite::Database& database, const std::filesystem::path& path
                      " before it is brought to version " + std::to_string(kSchemaVersion) +
                      ", but there is such a file");
   }
-  execute(database, "VACUUM INTO ?", plain_name(kept));
+  copy_to(database, kept);
   std::fprintf(stderr, "note: %s is of schema version %lld; it is kept as %s and brought to %lld\n",
                path.c_str(), static_cast<long long>(version), kept.c_str(),
                static_cast<long long>(kSchemaVersion));
@@ -171,6 +190,9 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
   StudyFile study;
   study.name_ = path.string();
   require_files(path);
+  if (std::error_code missing; std::filesystem::file_size(path, missing) == 0 || missing) {
+    require_no_strange_log(path);
+  }
   study.lock_ = take_lock(study.name_);
   require_writable_folder(path, study.name_);
   try {
@@ -193,13 +215,19 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
     study.database_->setBusyTimeout(kPatience_ms);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected a study that can be written: " + error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw InputError(study.name_ + ": expected a study that can be written: " + error.what());
   }
   return study;
 }
 
 StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
   StudyFile study = open_as_it_is(path);
-  require_tables(*study.database_, study.name_);
+  try {
+    require_tables(*study.database_, study.name_);
+  } catch (const SQLite::Exception& error) {
+    throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
+  }
   return study;
 }
 

@@ -1,6 +1,8 @@
 -- Why a study is not published, though its file is whole; what is left out of the analysis (`impetus
 -- exclude`) does not count. Each query yields one sentence, or no row where nothing stands against it.
 
+SELECT 'nothing is recorded in it yet' WHERE NOT EXISTS (SELECT 1 FROM attempt);
+
 SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' ||
     iif(count(*) = 1, 'is', 'are') || ' not finished' FROM enrolment
   JOIN participant ON participant.id = participant_id

@@ -46,3 +46,31 @@ SELECT place || ': of the sounds 1 to ' || max(sound.number) || ' there are ' ||
 SELECT place || ': of the answers 1 to ' || max(response.number) || ' there are ' || count(*)
   FROM response JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
   HAVING max(response.number) <> count(*);
+
+SELECT place || ': its onset is not the flip of its first frame of the stimulus' FROM shown
+  JOIN (SELECT attempt_id, min(flipped_ns) AS first_ns FROM frame WHERE phase = 'stimulus'
+    GROUP BY attempt_id) ON attempt_id = shown.id WHERE onset_ns NOT IN (0, first_ns);
+
+SELECT place || ': frame ' || frame || ' was shown before the frame before it' FROM (
+  SELECT attempt_id, frame, flipped_ns, lag(flipped_ns) OVER (PARTITION BY attempt_id ORDER BY frame)
+    AS before_ns FROM frame) JOIN shown ON shown.id = attempt_id
+  WHERE flipped_ns <= before_ns GROUP BY attempt_id HAVING frame = min(frame);
+
+SELECT place || ': its steps looked at ' || count(*) || iif(count(*) = 1, ' sample', ' samples') ||
+    ' of the gaze from within the stimulus that ' || iif(count(*) = 1, 'is', 'are') || ' missing' FROM (
+    SELECT step.attempt_id, fixation_taken_ns FROM step
+    JOIN (SELECT attempt_id, interval, min(flipped_ns) AS first_ns FROM frame
+      WHERE phase = 'stimulus' GROUP BY attempt_id, interval) AS stimulus
+      ON stimulus.attempt_id = step.attempt_id AND stimulus.interval = step.interval
+    WHERE fixation_taken_ns >= first_ns
+    EXCEPT SELECT attempt_id, taken_ns FROM gaze) AS looked
+  JOIN shown ON shown.id = attempt_id JOIN trial ON trial.id = trial_id
+  WHERE yoked_trial_id IS NULL GROUP BY attempt_id;
+
+SELECT place || ': answered before it was asked' FROM (
+    SELECT attempt_id, arrived_ns, question_shown_ns FROM response
+    UNION ALL SELECT attempt_id, arrived_ns, question_shown_ns FROM rating)
+  JOIN shown ON shown.id = attempt_id WHERE arrived_ns < question_shown_ns GROUP BY attempt_id;
+
+SELECT place || ': an answer that did not come in time is ' || answer FROM response
+  JOIN shown ON shown.id = attempt_id WHERE timed_out AND coalesce(answer, '') <> '';

@@ -1,8 +1,6 @@
 -- What a reader of a published study should know of it, and forbids nothing. Each query yields one
 -- sentence, or no row where there is nothing to say.
 
-SELECT 'nothing is recorded in it yet' WHERE NOT EXISTS (SELECT 1 FROM attempt);
-
 SELECT count(*) || ' of ' || (SELECT count(*) FROM participant) || ' participants ' ||
     iif(count(*) = 1, 'is', 'are') || ' simulated' FROM participant WHERE simulated
   HAVING count(*) > 0;

@@ -8,6 +8,7 @@
 # Number of bodies does not enter either.
 # SPDX-License-Identifier: MIT
 
+kThesisKinds <- c("all-good", "tracked", "random", "all-bad")
 kPlantedQuality <- c("all-good" = 2.2, tracked = 1.0, recorded = -0.2, random = -0.2,
   "all-bad" = -1.8)
 kPlantedClicksPerS <- c("all-good" = 0.06, tracked = 0.20, recorded = 0.32, random = 0.32,
@@ -16,7 +17,7 @@ kPlantedTheta <- 4
 
 # One row per main trial with ratings and clicks, from a seed. `difference` false: random is tracked.
 gaze_trials <- function(seed, participants = 10, repetitions = 3, difference = TRUE,
-                        kinds = kSchedulingKinds) {
+                        kinds = kThesisKinds) {
   set.seed(seed)
   plan <- shuffled_plan(participants, expand.grid(
     scheduling = kinds, bodies = c(5, 10, 15),
@@ -37,7 +38,7 @@ kFivePoints <- data.frame(rating_minimum = 1L, rating_maximum = 5L, rating_best 
 
 # The trials as scheduling_part gives them, without a file.
 as_read <- function(trials) {
-  trials$scheduling <- factor(trials$scheduling, kSchedulingKinds)
+  trials$scheduling <- factor(trials$scheduling, kThesisKinds)
   trials$bodies <- factor(trials$bodies)
   trials
 }

@@ -36,6 +36,13 @@ test_that("several files, and a file of another study, are refused before anythi
   expect_equal(c(run$status, run$stderr), c("2",
     sprintf("gap.R: %s: expected protocol 'gap', got 'causality'", path)))
   expect_false(dir.exists(out))
+  data <- tempfile()
+  dir.create(data)
+  write_report_data(path, data)
+  run <- run_script("gap.R", data, "--out", out)
+  expect_equal(c(run$status, run$stderr), c("2",
+    sprintf("gap.R: %s: expected protocol 'gap', got 'causality'", data)))
+  expect_false(dir.exists(out))
 })
 
 test_that("one participant gives a page and no test, even in a C locale", {

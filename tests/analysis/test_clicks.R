@@ -23,7 +23,7 @@ test_that("the negative-binomial model recovers the planted rates and their disp
   result <- with_failing(kVaried, click_tests(trials))  # none was planted
   rows <- result$rows[result$rows$family == kClickRatioFamily, ]
   rows <- rows[startsWith(rows$effect, "scheduling: "), ]
-  planted <- kPlantedClicksPerS[kSchedulingKinds][-1] / kPlantedClicksPerS[1]
+  planted <- kPlantedClicksPerS[kThesisKinds][-1] / kPlantedClicksPerS[1]
   error <- log(rows$effect_size) / rows$statistic
   # Three standard errors: misses for one of three ratios in 120 seeds.
   expect_true(all(abs(log(rows$effect_size) - log(planted)) < 3 * error))

@@ -86,7 +86,7 @@ test_that("without a pair of tracked and random there are figures and words, and
   path <- gaze_file(trials[trials$scheduling %in% c("all-good", "all-bad") & trials$bodies == 5, ])
   expect_length(contrasts_drawn(read_scheduling(path)), 0)
   expect_match(page_of_script(path)$text,
-    "There is no planned contrast: it needs trials of tracked and of random.", fixed = TRUE)
+    "There is no contrast of ratings of tracked against random: it needs trials of both.", fixed = TRUE)
 })
 
 test_that("without recorded frames there is no rate of clicks, and everything else", {
@@ -149,10 +149,25 @@ test_that("trials marked late are in the primary contrast, and out of its sensit
     p.adjust(tests_of(tests, kContrastFamily)$p, "holm"))
 })
 
-test_that("a table of tests calls factors by their labels, and bodies that are counted bodies", {
-  withr::local_options(impetus.labels = c(bodies = "Number of bodies"))
-  expect_equal(effect_words(c("tracked − random, at 5 bodies", "bodies × scheduling", "bodies: 10 against 5")),
-    c("tracked − random, at 5 bodies", "number of bodies × scheduling", "number of bodies: 10 against 5"))
+test_that("clicks of data from before a click could end a trial are clicks", {
+  path <- as_reported(gaze_file(gaze_trials(166, participants = 2, repetitions = 1)))
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "ALTER TABLE click_trial_rows RENAME COLUMN first_ends TO was_not_there")
+  DBI::dbDisconnect(study)
+  parts <- parts_of_protocol(path, "gaze-contingent")
+  expect_equal(vapply(parts, `[[`, "", "response"), c("rating", "clicks", "scheduling"))
+})
+
+test_that("with one number of bodies nothing stands twice in a family", {
+  trials <- gaze_trials(165, participants = 3, repetitions = 2)
+  study <- read_scheduling(gaze_file(trials[trials$bodies == 10, ]))
+  tests <- without_slopes(with_failing(kVaried, suppressMessages(
+    scheduling_tests(study, exposure_by_participant(study)))))
+  for (family in c(kContrastFamily, kContrastMeansFamily, kClickBootstrapFamily, kEquivalenceFamily,
+    kPooledFamily)) {
+    expect_equal(nrow(tests_of(tests, family)), 1, info = family)
+  }
+  expect_equal(tests_of(tests, kContrastMeansFamily)$p_holm, tests_of(tests, kContrastMeansFamily)$p)
 })
 
 test_that("a difference's axis says on which side of 0 a kind is better", {

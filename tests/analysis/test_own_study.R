@@ -57,7 +57,7 @@ test_that("words stand in the protocol's order, and a label that is markup is no
   dir.create(folder)
   write_report_data(bounce_study(bounce_answers(2, 2), "<b>Restitution</b>"), folder)
   path <- study_of_report_data(folder)
-  words <- design_words(path)
+  words <- design_words(path, "bounce")
   expect_equal(words$impetus.labels[["light"]], "Light")
   expect_false("restitution" %in% names(words$impetus.labels))
   withr::local_options(words)

@@ -90,7 +90,7 @@ test_that("a contrast that cannot be fitted is said in words", {
   expect_equal(contrast_model_tests(few)$remarks,
     "The mixed model of the planned contrast needs three participants or more and was not fitted.")
   expect_equal(contrast_model_tests(trials[trials$scheduling != "random", ])$remarks,
-    "There is no planned contrast: it needs trials of tracked and of random.")
+    "There is no contrast of ratings of tracked against random: it needs trials of both.")
   apart <- transform(trials, rating = ifelse(scheduling == "tracked", 5, pmin(rating, 4)))
   expect_match(contrast_model_tests(apart)$remarks, "The levels of scheduling separate the ratings completely")
 })

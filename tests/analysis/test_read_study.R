@@ -125,7 +125,7 @@ test_that("the page's words are of those who are analysed: people, or simulated 
 })
 
 test_that("kinds of scheduling have one order, whatever that of the protocol", {
-  expect_equal(in_kinds_order(c("all-good", "all-bad", "tracked", "random")), kSchedulingKinds)
+  expect_equal(in_kinds_order(c("recorded", "all-good", "all-bad", "tracked", "random")), kSchedulingKinds)
   expect_equal(in_kinds_order(c("random", "all-good")), c("all-good", "random"))
   expect_equal(in_kinds_order(c("slips", "launches")), c("slips", "launches"))
 })

@@ -141,7 +141,7 @@ test_that("answers all alike, or that fall, have no threshold and a remark names
   rows <- psychometric_functions(study, draws = 0)$rows
   expect_equal(sum(is.na(rows$threshold)), 2)
   expect_equal(threshold_remarks(study, rows), paste("No threshold, for the answers do not rise",
-    "with gap_arcmin: P02 (8 × 0) and P02 (8 × 8)."))
+    "with gap: P02 (8 × 0) and P02 (8 × 8)."))
 })
 
 test_that("a study's planted thresholds come back by condition, and from the hierarchical model", {

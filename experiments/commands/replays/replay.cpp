@@ -179,6 +179,10 @@ int replay_study(const ReplayOptions& options) {
     throw InputError("--view: this build has no window");
   }
 #endif
+  if (options.truth) {  // what is refused leaves the file as it is
+    StudyFile as_it_is = StudyFile::open_for_reading(options.study);
+    while_reading(as_it_is, [&] { return chosen_attempts(as_it_is, options).size(); });
+  }
   StudyFile study = options.truth ? StudyFile::open_for_writing(options.study, build_name())
                                   : StudyFile::open_for_reading(options.study);
   return while_reading(study, [&] {

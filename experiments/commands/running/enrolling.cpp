@@ -21,8 +21,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kPlace = "/gaze/yoked_to";
-constexpr const char* kPrevious = "previous";
-constexpr const char* kLeastFollowed = "least-followed";
 
 /// What must be alike where one follows the other's gaze: all but where the region is and how late.
 json comparable(json scene) {
@@ -81,9 +79,9 @@ class Yoking {
  private:
   YokePartner find_partner() {
     const std::string place = std::string(kPlace) + "/participant";
-    if (rule_.participant == kPrevious || rule_.participant == kLeastFollowed) {
+    if (rule_.participant == YokeRule::kPrevious || rule_.participant == YokeRule::kLeastFollowed) {
       const auto found =
-          rule_.participant == kPrevious
+          rule_.participant == YokeRule::kPrevious
               ? last_partner(study_, source_name_, participant_, simulated_)
               : least_followed_partner(study_, source_name_, participant_, simulated_);
       if (found) {

@@ -45,22 +45,6 @@ void require_not_anonymised(StudyFile& study) {
   }
 }
 
-void load_identity(MergePart& part) {
-  SQLite::Database& database = part.study.database();
-  for (const auto& [name, hash] :
-       load_rows<std::string, std::string>(database, "SELECT name, hash FROM protocol")) {
-    part.protocols[name].insert(hash);
-  }
-  for (const std::string& pseudonym :
-       load_column<std::string>(database, "SELECT pseudonym FROM participant")) {
-    part.pseudonyms.insert(pseudonym);
-  }
-  for (const auto& [hash, name, merged_utc] : load_rows<std::string, std::string, std::string>(
-           database, "SELECT hash, name, merged_utc FROM merged_file")) {
-    part.merged[hash] = {name, merged_utc};
-  }
-}
-
 std::string listed(const std::map<std::string, std::set<std::string>>& protocols) {
   std::string text;
   for (const auto& [name, versions] : protocols) {
@@ -75,16 +59,16 @@ void require_other_file(const MergePart& part, const MergePart& before) {
     throw InputError(part.study.name() + ": the same file as " + before.study.name());
   }
   const auto require_not_in = [](const MergePart& in, const MergePart& file) {
-    const auto found = in.merged.find(file.hash);
-    if (found != in.merged.end()) {
+    const auto found = in.identity.merged.find(file.hash);
+    if (found != in.identity.merged.end()) {
       throw InputError(file.study.name() + ": was merged into " + in.study.name() +
                        " already, as " + found->second.name + " at " + found->second.merged_utc);
     }
   };
   require_not_in(before, part);
   require_not_in(part, before);
-  for (const auto& [hash, earlier] : part.merged) {
-    if (before.merged.contains(hash)) {
+  for (const auto& [hash, earlier] : part.identity.merged) {
+    if (before.identity.merged.contains(hash)) {
       throw InputError(part.study.name() + ": " + earlier.name + " was merged into it and into " +
                        before.study.name());
     }
@@ -92,9 +76,9 @@ void require_other_file(const MergePart& part, const MergePart& before) {
 }
 
 void require_same_versions(const MergePart& part, const MergePart& before) {
-  for (const auto& [name, versions] : part.protocols) {
-    const auto found = before.protocols.find(name);
-    if (found != before.protocols.end() && found->second != versions) {
+  for (const auto& [name, versions] : part.identity.protocols) {
+    const auto found = before.identity.protocols.find(name);
+    if (found != before.identity.protocols.end() && found->second != versions) {
       throw InputError(part.study.name() + ": expected the version of " + name + " that " +
                        before.study.name() + " holds (" + *found->second.begin() + "), got " +
                        *versions.begin());
@@ -103,7 +87,7 @@ void require_same_versions(const MergePart& part, const MergePart& before) {
 }
 
 void require_one_version(const MergePart& part) {
-  for (const auto& [name, versions] : part.protocols) {
+  for (const auto& [name, versions] : part.identity.protocols) {
     if (versions.size() > 1) {
       throw InputError(part.study.name() + ": expected one version of " + name + ", got " +
                        std::to_string(versions.size()) + ": " + *versions.begin() + ", " +
@@ -114,8 +98,8 @@ void require_one_version(const MergePart& part) {
 
 /// The first protocol of `part` that the other lacks; "": there is none.
 std::string protocol_beyond(const MergePart& part, const MergePart& other) {
-  for (const auto& [name, versions] : part.protocols) {
-    if (!other.protocols.contains(name)) {
+  for (const auto& [name, versions] : part.identity.protocols) {
+    if (!other.identity.protocols.contains(name)) {
       return name;
     }
   }
@@ -128,14 +112,16 @@ void require_same_study(const MergePart& part, const MergePart& before) {
   const std::string beyond = protocol_beyond(part, before);
   if (!beyond.empty() && !protocol_beyond(before, part).empty()) {
     throw InputError(part.study.name() + ": expected protocols of the same study as " +
-                     before.study.name() + " (" + listed(before.protocols) + "), got " + beyond);
+                     before.study.name() + " (" + listed(before.identity.protocols) + "), got " +
+                     beyond);
   }
 }
 
 void require_other_participants(const MergePart& part, const MergePart& before) {
   std::vector<std::string> both;
-  std::set_intersection(part.pseudonyms.begin(), part.pseudonyms.end(), before.pseudonyms.begin(),
-                        before.pseudonyms.end(), std::back_inserter(both));
+  std::set_intersection(part.identity.pseudonyms.begin(), part.identity.pseudonyms.end(),
+                        before.identity.pseudonyms.begin(), before.identity.pseudonyms.end(),
+                        std::back_inserter(both));
   if (!both.empty()) {
     throw InputError(
         part.study.name() + ": expected other participants than in " + before.study.name() +
@@ -145,6 +131,24 @@ void require_other_participants(const MergePart& part, const MergePart& before) 
 }
 
 }  // namespace
+
+StudyIdentity identity_of(StudyFile& study) {
+  SQLite::Database& database = study.database();
+  StudyIdentity identity;
+  for (const auto& [name, hash] :
+       load_rows<std::string, std::string>(database, "SELECT name, hash FROM protocol")) {
+    identity.protocols[name].insert(hash);
+  }
+  for (const std::string& pseudonym :
+       load_column<std::string>(database, "SELECT pseudonym FROM participant")) {
+    identity.pseudonyms.insert(pseudonym);
+  }
+  for (const auto& [hash, name, merged_utc] : load_rows<std::string, std::string, std::string>(
+           database, "SELECT hash, name, merged_utc FROM merged_file")) {
+    identity.merged[hash] = {name, merged_utc};
+  }
+  return identity;
+}
 
 std::string hash_of_file(const std::filesystem::path& path) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
@@ -169,11 +173,11 @@ MergePart open_merge_part(const std::filesystem::path& path) {
   }
   // Before the study is open: whoever closes its file takes SQLite's locks on it along.
   const std::string hash = hash_of_file(path);
-  MergePart part{std::move(lock), StudyFile::open_for_reading(path), hash, {}, {}, {}};
+  MergePart part{std::move(lock), StudyFile::open_for_reading(path), hash, {}};
   require_whole(path.string(), schema_differences(part.study.database()));
   require_whole(path.string(), forbidden_rows(part.study.database()));
   require_not_anonymised(part.study);
-  load_identity(part);
+  part.identity = identity_of(part.study);
   return part;
 }
 

@@ -17,16 +17,27 @@ namespace impetus::inline store {
 struct EarlierMerge {
   std::string name;
   std::string merged_utc;
+
+  bool operator==(const EarlierMerge&) const = default;
 };
+
+/// What studies are compared by before they are merged.
+struct StudyIdentity {
+  std::map<std::string, std::set<std::string>> protocols{};  ///< hashes of versions, by name
+  std::set<std::string> pseudonyms{};
+  std::map<std::string, EarlierMerge> merged{};  ///< by hash
+
+  bool operator==(const StudyIdentity&) const = default;
+};
+
+StudyIdentity identity_of(StudyFile& study);
 
 /// One study of a merge, locked against sessions for as long as this lives.
 struct MergePart {
   ReadingLock lock;  ///< before the study: it must go after it
   StudyFile study;
-  std::string hash;                                        ///< of the file's bytes and its log's
-  std::map<std::string, std::set<std::string>> protocols;  ///< hashes of versions, by name
-  std::set<std::string> pseudonyms;
-  std::map<std::string, EarlierMerge> merged;  ///< by hash
+  std::string hash;  ///< of the file's bytes and its log's
+  StudyIdentity identity;
 };
 
 /// What identifies a study: the hash of the file's bytes and its log's.

@@ -184,11 +184,11 @@ void require_not_a_source(const std::vector<std::filesystem::path>& sources,
   }
 }
 
-/// The sources; before them the destination, if it is there, for as long as they are compared.
+/// The sources; before them the destination, unless it is new, for as long as they are compared.
 std::deque<MergePart> comparable_parts(const std::vector<std::filesystem::path>& sources,
-                                       const std::filesystem::path& into) {
+                                       const std::filesystem::path& into, bool is_new) {
   std::deque<MergePart> parts;
-  if (is_there(into)) {
+  if (!is_new) {
     parts.push_back(open_merge_part(into));
   }
   for (const std::filesystem::path& source : sources) {
@@ -245,16 +245,25 @@ void remove_study(const std::filesystem::path& path) {
 MergeResult merge_studies(const std::vector<std::filesystem::path>& sources,
                           const std::filesystem::path& into, const std::string& build) {
   require_not_a_source(sources, into);
-  std::deque<MergePart> parts = comparable_parts(sources, into);
   const bool is_new = !is_there(into);
+  std::deque<MergePart> parts = comparable_parts(sources, into, is_new);
+  StudyIdentity compared;
   if (!is_new) {
+    compared = parts.front().identity;
     parts.pop_front();  // its lock goes too: it is opened for writing
   }
+  bool is_ours = false;
   try {
     StudyFile study = StudyFile::open_for_writing(into, build);
+    if (identity_of(study) != compared) {
+      throw InputError(into.string() +
+                       ": another process changed it while the studies were compared; nothing was "
+                       "merged");
+    }
+    is_ours = is_new;
     return add_parts(parts, study);
   } catch (const SQLite::Exception& error) {
-    if (is_new) {
+    if (is_ours) {
       remove_study(into);
     }
     throw StoreError(into.string() + ": could not be written (" + error.what() +

@@ -150,6 +150,9 @@ TEST(GapThresholdsRun, FromConsentToThanksWithItsObserverAndTheTruthIsWhatWasSet
   EXPECT_EQ(study.asked("SELECT count(*) FROM trial_response WHERE phase = 'main'"), "12");
   const ProgramResult replayed = run_program(study.folder, {"replay", "a.sqlite"});
   EXPECT_EQ(replayed.status, 0) << replayed.output;
+  expect_refused(study.folder, {"replay", "none.sqlite", "--truth"},
+                 "none.sqlite: expected an Impetus study, but there is no such file");
+  EXPECT_FALSE(std::filesystem::exists(study.folder / "none.sqlite"));
   ASSERT_EQ(run_program(study.folder, {"replay", "a.sqlite", "--truth"}).status, 0);
   // Half a pixel of this screen is .9 minutes of arc.
   EXPECT_EQ(study.asked("SELECT count(*) FROM collision_truth "

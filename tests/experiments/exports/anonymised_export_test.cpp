@@ -3,6 +3,7 @@
 #include <set>
 
 #include "experiments/exports/anonymise.hpp"
+#include "tests/experiments/small_study.hpp"
 #include "tests/experiments/whole_study.hpp"
 
 namespace impetus::anonymised_export_test {
@@ -194,6 +195,27 @@ TEST(Anonymise, TheOwnerOfABorrowedGazeHasTheNewCodeInTheProtocolToo) {
       1);
 }
 
+TEST(Anonymise, WordsThatStandForWhoeverFitsStayAndStrangersHaveANameEach) {
+  const TemporaryFolder folder;
+  planted(folder);
+  change(
+      folder,
+      "INSERT INTO protocol (name, hash, protocol_json, scene_json) SELECT name, 'h' || value, "
+      "json_set(protocol_json, '$.gaze.yoked_to', json_object('participant', value)), scene_json "
+      "FROM protocol, json_each('[\"least-followed\", \"previous\", \"Gone-1\", \"Gone-2\"]') "
+      "WHERE protocol.id = 3");
+  SQLite::Database study((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE);
+  anonymise(study, "test build",
+            [](const std::string& protocol, const std::string&) { return "hash of " + protocol; });
+  EXPECT_EQ(study
+                .execAndGet("SELECT group_concat(json_extract(protocol_json, "
+                            "'$.gaze.yoked_to.participant')) FROM (SELECT * FROM protocol WHERE "
+                            "hash LIKE 'h%' AND json_extract(protocol_json, '$.gaze.yoked_to') IS "
+                            "NOT NULL ORDER BY id)")
+                .getString(),
+            "least-followed,previous,A00,A00-2");
+}
+
 // ---------------------------------------------------------------- the copy
 
 TEST(StudyCopy, IsTheStudyAndIsNotOverwritten) {
@@ -219,6 +241,24 @@ TEST(StudyCopy, IsTheStudyAndIsNotOverwritten) {
       run_program(folder, {"export", "a.sqlite", "--format", "study", "--out", "out", "--force"})
           .status,
       0);
+}
+
+TEST(StudyCopy, NobodysOnlyStudyIsReplacedNorALogTakenForAPartOfIt) {
+  const TemporaryFolder folder;
+  planted(folder);
+  small_study(folder / "theirs.sqlite", {"P55"});
+  const std::string theirs = text_of(folder / "theirs.sqlite");
+  expect_refused(
+      folder, {"export", "a.sqlite", "--format", "study", "--out", "theirs.sqlite", "--force"},
+      "theirs.sqlite: expected an earlier export of a.sqlite, got a study of people whom "
+      "that has not; it is not overwritten");
+  EXPECT_EQ(text_of(folder / "theirs.sqlite"), theirs);
+  folder.write("new.sqlite-wal", "of a study that was killed");
+  const ProgramResult refused =
+      run_program(folder, {"export", "a.sqlite", "--format", "study", "--out", "new.sqlite"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("new.sqlite-wal is there"), std::string::npos) << refused.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder / "new.sqlite"));
 }
 
 }  // namespace impetus::anonymised_export_test

@@ -46,9 +46,12 @@ TEST(Exclusion, OneTrialIsExcludedAlone) {
   EXPECT_EQ(value_of(study, "SELECT group_concat(trial) FROM excluded"), "9");
 }
 
-TEST(Exclusion, WhatCannotBeExcludedIsRefused) {
+TEST(Exclusion, WhatCannotBeExcludedIsRefusedAndLeavesTheFileAsItIs) {
   const TemporaryFolder folder;
   const std::string study = finished_study(folder);
+  const std::string before = text_of(study);
+  EXPECT_NE(excluded(folder, {"--reason", " \t"}).errors.find("expected a reason, got none"),
+            std::string::npos);
   EXPECT_EQ(excluded(folder, {"--trial", "9999", "--reason", "phone"}).errors,
             "impetus: a.sqlite: expected a trial of P01, got 9999\n");
   EXPECT_EQ(excluded(folder, {"--reason", "back", "--take-back"}).errors,
@@ -56,6 +59,13 @@ TEST(Exclusion, WhatCannotBeExcludedIsRefused) {
   EXPECT_EQ(
       run_program(folder, {"exclude", "a.sqlite", "--participant", "P02", "--reason", "x"}).errors,
       "impetus: a.sqlite: expected a participant of the study, got P02\n");
+  EXPECT_EQ(text_of(study), before);
+  folder.write("empty.sqlite", "");
+  EXPECT_EQ(
+      run_program(folder, {"exclude", "empty.sqlite", "--participant", "P01", "--reason", "x"})
+          .errors,
+      "impetus: empty.sqlite: expected an Impetus study, got an empty file\n");
+  EXPECT_EQ(text_of(folder / "empty.sqlite"), "");
   ASSERT_EQ(excluded(folder, {"--reason", "asleep"}).status, 0);
   EXPECT_EQ(excluded(folder, {"--reason", "asleep"}).errors,
             "impetus: a.sqlite: P01 is excluded already\n");

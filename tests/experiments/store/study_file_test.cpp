@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <sys/stat.h>
 
+#include "experiments/store/read_only_file.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus::study_file_test {
@@ -139,6 +140,72 @@ TEST(StudyFile, AReadOnlyFolderIsRefusedForWriting) {
                 "it cannot be: Permission denied\n" +
                 fresh +
                 ": expected a file that can be written, but it cannot be: Permission denied");
+}
+
+/// Leaves a change half-written that a process which died had begun, with pages of it in the file.
+void die_in_a_change(const std::filesystem::path& path) {
+  in_child([&] {
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
+    database.exec("PRAGMA cache_size = 1; PRAGMA cache_spill = 1; BEGIN");
+    database.exec("UPDATE study SET build = 'half-written'");
+    database.exec("CREATE TABLE filler (text TEXT)");
+    for (int row = 0; row < 200; ++row) {
+      database.exec("INSERT INTO filler VALUES (hex(randomblob(500)))");
+    }
+    _exit(0);
+    return std::string();
+  });
+}
+
+TEST(StudyFile, AHalfWrittenChangeIsNeverReadAsData) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.sqlite";
+  opened(path);
+  die_in_a_change(path);
+  const std::string journal = path + "-journal";
+  ASSERT_GT(std::filesystem::file_size(journal), 0U);
+  EXPECT_EQ(read_refusal(path),
+            path + ": expected a study whose changes are whole, but " + journal +
+                " holds one that a program left half-written; `sqlite3 " + path +
+                " .tables`, where the file can be written, takes it back");
+  EXPECT_EQ(open_refusal(path), "accepted");  // writing takes it back
+  EXPECT_EQ(read_refusal(path), "accepted");
+  EXPECT_EQ(value_of(path, "SELECT build FROM study"), kTestBuild);
+}
+
+TEST(StudyFile, TheLogOfAStudyIsFoundThroughALinkToo) {
+  const OpenFolder folder;
+  const OpenFolder links;
+  const std::string path = folder / "a.sqlite";
+  in_child([&] {  // killed: the log stays
+    const StudyFile study = opened(path);
+    _exit(0);
+    return std::string();
+  });
+  ASSERT_TRUE(has_log(path));
+  const std::string link = links / "b.sqlite";
+  std::filesystem::create_symlink(path, link);
+  EXPECT_TRUE(has_log(link));
+  std::filesystem::remove(path + "-shm");
+  std::filesystem::permissions(path, std::filesystem::perms(0444));
+  std::filesystem::permissions(path + "-wal", std::filesystem::perms(0444));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
+  EXPECT_NE(in_child([&] {
+              become_nobody();
+              return read_refusal(link);
+            }),
+            "accepted");
+}
+
+TEST(StudyFile, ANewStudyIsNotMadeBesideTheLogOfAnother) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.sqlite";
+  folder.write("a.sqlite-wal", "of another");
+  EXPECT_EQ(open_refusal(path),
+            path + ": expected nothing of an earlier study of this name, but " + path +
+                "-wal is there, which would be read as a part of the new one; move it away");
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(text_of(path + "-wal"), "of another");
 }
 
 TEST(StudyFile, ASecondProcessIsRefusedWhileTheFirstHasTheFile) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "experiments/store/merging/merge_part.hpp"
 #include "experiments/store/study_integrity.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/small_study.hpp"
@@ -324,6 +325,20 @@ TEST(Merge, WhatIsInUseDamagedChangedOrAnonymisedIsRefused) {
                 ": expected a study that is whole, but 5 rows of answer refer to a "
                 "row of session that is missing (and 1 more)");
   EXPECT_FALSE(std::filesystem::exists(at.into));
+}
+
+// By it a destination is known again that was another when the studies were compared.
+TEST(Merge, AStudyIsIdentifiedByItsProtocolsPeopleAndEarlierMerges) {
+  const Stations at;
+  StudyFile empty = opened(at.folder / "empty.sqlite");
+  EXPECT_EQ(identity_of(empty), StudyIdentity{});
+  StudyFile a = StudyFile::open_for_reading(at.a);
+  EXPECT_EQ(identity_of(a).pseudonyms, std::set<std::string>{"P01"});
+  EXPECT_EQ(identity_of(a).protocols.at("causality"), std::set<std::string>{small_protocol().hash});
+  merge_studies({at.a}, at.into, kTestBuild);
+  StudyFile merged = StudyFile::open_for_reading(at.into);
+  EXPECT_NE(identity_of(merged), identity_of(a));
+  EXPECT_EQ(identity_of(merged).merged.at(hash_of_file(at.a)).name, "a.sqlite");
 }
 
 TEST(Merge, AFullDiskLeavesNothingOfANewStudyAndAnOldOneAsItWas) {

@@ -125,6 +125,23 @@ TEST(Verify, WhateverWasChangedIsNamed) {
       {"UPDATE collision SET step = 5000 WHERE attempt_id = 7",
        "recordings: P02, causality, slot 2, attempt 1: a collision of left and right at step 5000, "
        "which is missing"},
+      {"UPDATE attempt SET onset_ns = onset_ns + 1 WHERE id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: its onset is not the flip of its first "
+       "frame "
+       "of the stimulus"},
+      {"UPDATE frame SET flipped_ns = (SELECT flipped_ns FROM frame WHERE attempt_id = 7 AND frame "
+       "= "
+       "149) WHERE attempt_id = 7 AND frame = 150",
+       "recordings: P02, causality, slot 2, attempt 1: frame 150 was shown before the frame before "
+       "it"},
+      {"UPDATE step SET fixation_taken_ns = (SELECT flipped_ns + 12 FROM frame WHERE attempt_id = "
+       "7 AND "
+       "frame = 150) WHERE attempt_id = 7 AND step BETWEEN 20 AND 30",
+       "recordings: P02, causality, slot 2, attempt 1: its steps looked at 1 sample of the gaze "
+       "from "
+       "within the stimulus that is missing"},
+      {"UPDATE rating SET arrived_ns = question_shown_ns - 1 WHERE attempt_id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: answered before it was asked"},
       {"UPDATE protocol SET protocol_json = replace(protocol_json, '\"small\"', '\"Small\"')",
        "protocols: protocol causality: its hash is " + hash + ", computed anew it is " +
            small_protocol("Small").hash},
