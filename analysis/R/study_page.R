@@ -19,8 +19,7 @@ report_page <- function(arguments, only = NULL) {
   if (length(study) > 1) {
     refuse("expected one study file, got ", length(study), "; `impetus merge` makes one of several")
   }
-  if (dir.exists(study)) refuse_data_without_protocol(study, only) else
-    refuse_without_protocol(study, only)
+  require_reportable(study, only)
   data <- file.path(arguments$out, "data")
   lapply(c(arguments$out, data), prepare_folder)
   if (dir.exists(study)) copy_report_data(study, data) else write_report_data(study, data)
@@ -31,30 +30,27 @@ report_page <- function(arguments, only = NULL) {
   say_progress("wrote ", file.path(arguments$out, "report.html"), ", figures/ and tables/")
 }
 
-# Refuses a file that is no study or, where a protocol is named, has nobody who takes part in it.
-refuse_without_protocol <- function(path, protocol) {
-  study <- withr::local_db_connection(open_study(path, kReadViews))
+# Refuses what is neither a study file nor the data of a report and, where a protocol is named, one in
+# which nobody takes part.
+require_reportable <- function(path, protocol) {
+  is_data <- dir.exists(path)
+  if (is_data && !file.exists(file.path(path, "columns.csv"))) {
+    refuse(path, ": expected the data of a report, found no columns.csv in it")
+  }
+  study <- withr::local_db_connection(if (is_data)
+    open_study(study_of_report_data(path), "enrolment_summary") else open_study(path, kReadViews))
   if (is.null(protocol)) return(invisible())
   enrolled <- DBI::dbGetQuery(study, "SELECT 1 FROM enrolment_summary WHERE protocol = ?", list(protocol))
   if (nrow(enrolled) == 0) refuse_protocol(study, path, protocol)
 }
 
-# The same of the data/ of an earlier report.
-refuse_data_without_protocol <- function(folder, protocol) {
-  if (is.null(protocol)) return(invisible())
-  path <- study_of_report_data(folder)
-  study <- withr::local_db_connection(open_study(path, "enrolment_summary"))
-  enrolled <- DBI::dbGetQuery(study, "SELECT 1 FROM enrolment_summary WHERE protocol = ?", list(protocol))
-  if (nrow(enrolled) == 0) refuse_protocol(study, folder, protocol)
-}
-
-# The code of the report beside it, where `impetus report` has not put it there.
+# The code of the report beside it, but where it is that code which makes it.
 copy_code <- function(folder) {
   from <- getOption("impetus.analysis")
   to <- file.path(folder, "analysis")
-  if (dir.exists(to)) return(invisible())
-  dir.create(to)
-  file.copy(file.path(from, c("report.R", "R", "studies")), to, recursive = TRUE)
+  dir.create(to, showWarnings = FALSE)
+  if (normalizePath(from) == normalizePath(to)) return(invisible())
+  file.copy(file.path(from, c("report.R", "R", "studies")), to, recursive = TRUE, overwrite = TRUE)
 }
 
 # Makes the whole report in `folder` from the data in folder/data.
