@@ -10,7 +10,7 @@
 //   outside   the most bodies whose centre is beyond a wall at any time
 //   overruns  in work, of all runs
 //
-// Longest steps are medians of five runs. Scenes are those of the project's files with their own
+// Longest steps are medians of five runs. Scenes are all of the project's files with their own
 // settings, crowds of creatures in their cube, and the crowds of the other benchmarks, whose body
 // is the MESH.
 // SPDX-License-Identifier: MIT
@@ -18,6 +18,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -154,6 +155,18 @@ void print_scene(const BudgetScene& scene, int runs) {
   std::fflush(stdout);
 }
 
+/// Every scene of stimuli/, without its ending; the other files there are schemas and a figure.
+std::vector<std::string> shipped_scenes() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/stimuli")) {
+    if (entry.path().extension() == ".json" && read_json(entry.path()).value.contains("engine")) {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 BudgetScene staged(std::string name, const nlohmann::json& scene, int steps) {
   ShapeLibrary library;
   const StagedScene staged = build_scene(scene, assumed_screen(), kUnroundedHold, library);
@@ -196,8 +209,7 @@ void print_bench(const BenchOptions& options) {
       print_scene(scene, runs);
     }
   };
-  for (const char* file : {"two-spheres", "two-l-blocks", "spheres-in-view", "l-blocks-in-a-cube",
-                           "creatures-in-a-cube", "humanoids-in-a-cube"}) {
+  for (const std::string& file : shipped_scenes()) {
     print(file, [&] {
       return staged(file, load_scene(source_folder() + "/stimuli/" + file + ".json").value, steps);
     });
