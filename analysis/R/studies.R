@@ -2,11 +2,11 @@
 # says what is asked and has what its description names beside what every report has; analysis/NAME.R
 # is the report of that protocol alone. Field by field:
 #
-#   Title, Question, Thesis  of the report; what is asked; what the thesis found
-#   Kind     ratings, thresholds, accuracy, scheduling (scheduling_part.R) or, without participants,
-#            distribution (scheduler_distribution.R)
-#   Factors  without units, the one of interest first
-#   Interactions       are those of the first factor with each other one tested? (ratings, scheduling)
+#   Question, Thesis  what is asked; what the thesis found
+#   Kind              ratings, thresholds, accuracy, scheduling (scheduling_part.R) or, without
+#                     participants, distribution (scheduler_distribution.R)
+#   Factors           without units, the one of interest first
+#   Interactions      are those of the first factor with each other one tested? (ratings, scheduling)
 #
 #   ratings: Shown              what else a trial showed: gaps, spin (shown_in_trials.R)
 #            Depths, Depths of  what the three levels of a tree are called, and what they are
@@ -22,8 +22,7 @@
 # Of all these studies, in the order in which they stand wherever they are reported.
 kSchedulingKinds <- c("all-good", "tracked", "recorded", "random", "all-bad")
 
-# The study of this name as list(protocol, title, kind, factors, views, ...); NULL where none is
-# described.
+# The study of this name as list(protocol, question, kind, factors, ...); NULL where none is described.
 study_description <- function(name) {
   file <- file.path(getOption("impetus.analysis"), "studies", paste0(name, ".dcf"))
   if (!file.exists(file)) return(NULL)
@@ -37,10 +36,8 @@ study_description <- function(name) {
     two <- words(field, " - ")
     list(of = two[1], against = two[2], planned = field == "Planned")
   })
-  list(protocol = name, title = fields[["Title"]], question = said("Question"), found = said("Thesis"),
-    kind = fields[["Kind"]],
-    factors = words("Factors"), shown = words("Shown"),
-    interactions = has("Interactions"),
+  list(protocol = name, question = said("Question"), found = said("Thesis"), kind = fields[["Kind"]],
+    factors = words("Factors"), interactions = has("Interactions"), shown = words("Shown"),
     depth_names = if (has("Depths")) list(words("Depths"), fields[["Depths of"]]),
     log10 = has("Scale"), realised_hold = has("Level"), kinds = words("Kinds"), pairs = pairs,
     thesis = has("Thesis tests"), published = unlist(lapply(words("Published"), function(one) {

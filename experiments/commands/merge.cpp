@@ -21,10 +21,11 @@ int merge(const MergeOptions& options) {
   const std::vector<std::filesystem::path> sources(options.sources.begin(), options.sources.end());
   const MergeResult result = merge_studies(sources, options.into, build_name());
   std::printf(
-      "%s: %lld participants added; it holds %lld, with %lld completed trials. The merged "
+      "%s: %lld participant%s added; it holds %lld, with %lld completed trials. The merged "
       "files are as they were.\n",
       options.into.c_str(), static_cast<long long>(result.participants_added),
-      static_cast<long long>(result.participants), static_cast<long long>(result.completed_trials));
+      result.participants_added == 1 ? "" : "s", static_cast<long long>(result.participants),
+      static_cast<long long>(result.completed_trials));
   return kDone;
 }
 
