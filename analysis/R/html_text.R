@@ -64,6 +64,7 @@ p_cell <- function(p) ifelse(is.na(p), NA, sub(" ", "\u00a0", sub("^p = |^p ", "
 format_number <- function(x) {
   vapply(x, function(one) {
     if (is.na(one)) return("–")
+    if (abs(one) < 1e-12) return("0")  # less is rounding
     if (is.finite(one) && one == round(one) && abs(one) < 1e9) {
       return(format(one, big.mark = ",", scientific = FALSE))
     }

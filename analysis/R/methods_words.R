@@ -117,6 +117,7 @@ part_methods <- function(part) {
 }
 
 analysis_words <- function(parts) {
+  if (length(parts) == 0) return("Nothing was analysed.")
   kinds <- unique(vapply(parts, `[[`, "", "response"))
   people <- unique(unlist(lapply(parts, function(part) as.character(part$trials$participant))))
   tested <- c(gsub("\n", " ", read.dcf(code_file("methods.dcf"))[1, kinds], fixed = TRUE),

@@ -41,10 +41,10 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
   means <- tests_of(tests, family_of(kContrastMeansFamily, pair))
   c(
     if (nrow(rows) > 0) c(
-      sprintf(paste("%s, %s (cumulative-link mixed model of these two kinds, %s; Holm over %d",
-        "tests): odds ratio of a higher rating %s."),
+      sprintf(paste("%s, %s (cumulative-link mixed model of these two kinds, %s; Holm over %s):",
+        "odds ratio of a higher rating %s."),
         if (pair$planned) "Planned contrast" else "Beside it", pair_words(pair, " against "),
-        contrast_random_words(rows), nrow(rows), estimates_words(rows)),
+        contrast_random_words(rows), count_of(nrow(rows), "test"), estimates_words(rows)),
       verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse",
         pair)),
     if (nrow(means) > 0) sprintf("%s (%s, paired t tests of participants' means): %s.",
@@ -90,10 +90,11 @@ click_contrast_words <- function(tests, pair = kTrackedRandom) {
   bootstrap <- tests_of(tests, family_of(kClickBootstrapFamily, pair))
   c(
     if (nrow(rows) > 0) c(
-      sprintf("%s of clicks (%s of %s trials, %s; Holm over %d tests): rate ratio %s %s.",
+      sprintf("%s of clicks (%s of %s trials, %s; Holm over %s): rate ratio %s %s.",
         if (pair$planned) "Planned contrast" else "Beside it, contrast",
         sub(" mixed model.*$", " mixed model", rows$method[1]), pair_words(pair, " and "),
-        contrast_random_words(rows), nrow(rows), pair_words(pair, " / "), estimates_words(rows)),
+        contrast_random_words(rows), count_of(nrow(rows), "test"), pair_words(pair, " / "),
+        estimates_words(rows)),
       verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often",
         pair)),
     if (nrow(bootstrap) > 0) sprintf("Rate ratio of clicks %s by bootstrap over participants: %s.",

@@ -157,10 +157,14 @@ levels_reached <- function(rows) {
 # The same by each level of each factor of the design: what a condition really looked like.
 levels_by_factor <- function(rows, levels) {
   if (nrow(rows) == 0) return(NULL)
-  each_row(split(levels, levels$factor), function(of_trials) {
+  own <- getOption("impetus.levels")
+  in_design <- factor(levels$factor, unique(c(names(own), levels$factor)))
+  each_row(split(levels, in_design, drop = TRUE), function(of_trials) {
     mine <- rows[rows$trial %in% of_trials$trial, ]
     mine$of <- of_trials$of[match(mine$trial, of_trials$trial)]
-    levels <- in_order(unique(mine$of))
+    levels <- unique(mine$of)
+    in_protocol <- own[[of_trials$factor[1]]]
+    levels <- if (all(levels %in% in_protocol)) intersect(in_protocol, levels) else in_order(levels)
     if (length(levels) < 2 || length(levels) > 12) return(NULL)
     table <- gaps_by(mine, factor(mine$of, levels), function(cell) data.frame(
       reached = paste(range(cell$level)[c(TRUE, diff(range(cell$level)) > 0)], collapse = " to ")))

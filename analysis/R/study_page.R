@@ -24,7 +24,7 @@ report_page <- function(arguments, only = NULL) {
   lapply(c(arguments$out, data), prepare_folder)
   if (dir.exists(study)) copy_report_data(study, data) else write_report_data(study, data)
   need_packages(packages_for_data(data))
-  copy_code(arguments$out)
+  copy_code(arguments$out, only)
   write_study_report(arguments$out, only)
   end_progress()
   say_progress("wrote ", file.path(arguments$out, "report.html"), ", figures/ and tables/")
@@ -44,13 +44,16 @@ require_reportable <- function(path, protocol) {
   if (nrow(enrolled) == 0) refuse_protocol(study, path, protocol)
 }
 
+# The script of a protocol's own report, or of all protocols'.
+script_of <- function(only) paste0(c(only, "report")[1], ".R")
+
 # The code of the report beside it, but where it is that code which makes it.
-copy_code <- function(folder) {
+copy_code <- function(folder, only) {
   from <- getOption("impetus.analysis")
   to <- file.path(folder, "analysis")
   dir.create(to, showWarnings = FALSE)
   if (normalizePath(from) == normalizePath(to)) return(invisible())
-  file.copy(file.path(from, c("report.R", "R", "studies")), to, recursive = TRUE, overwrite = TRUE)
+  file.copy(file.path(from, c(script_of(only), "R", "studies")), to, recursive = TRUE, overwrite = TRUE)
 }
 
 # Makes the whole report in `folder` from the data in folder/data.
@@ -68,17 +71,17 @@ write_study_report <- function(folder, only = NULL) {
   body <- if (length(protocols) == 0) "<p>Nobody has been enrolled yet.</p>" else
     unlist(Map(function(one, its) in_words_of(one, protocol_lines(one, its, path, folder)),
       protocols, parts))
-  writeLines(enc2utf8(page_of(about, protocols, body)), file.path(folder, "report.html"),
+  writeLines(enc2utf8(page_of(about, protocols, body, script_of(only))), file.path(folder, "report.html"),
     useBytes = TRUE)
 }
 
-page_of <- function(about, protocols, body) {
+page_of <- function(about, protocols, body, script) {
   html_page(paste("Report of", about$study), c(
     sprintf("<p class=\"note\">The study as it was on %s. %s</p>", html_text(about$read_utc),
       "Figures are also files in <code>figures/</code>, tables in <code>tables/</code>."),
     "<nav><ul>", sprintf("<li><a href=\"#%s\">%s</a></li>", anchor_of(protocols),
       html_text(protocols)), "<li><a href=\"#repeat\">How to repeat</a></li>", "</ul></nav>",
-    body, repeat_lines()))
+    body, repeat_lines(script)))
 }
 
 # A page of its own: it fetches nothing and runs nothing. `body`: lines below its heading.
@@ -263,11 +266,13 @@ test_lines <- function(rows, named = TRUE) {
 
 # An effect with a study's own factors by their labels, as the words above the table call them.
 effect_words <- function(effect) {
-  own <- names(getOption("impetus.labels"))
-  for (factor in own[order(-nchar(own))]) {
-    effect <- gsub(sprintf("(?<![\\w.])\\Q%s\\E(?![\\w.])", factor), plain_name(factor), effect,
-      perl = TRUE)
-  }
+  factors <- unique(c(names(getOption("impetus.labels")), names(getOption("impetus.levels"))))
+  if (length(factors) == 0) return(effect)
+  one_of <- paste0("\\Q", factors[order(-nchar(factors))], "\\E", collapse = "|")
+  found <- gregexpr(sprintf("(?<![\\w.])(%s)(?![\\w.])", one_of), effect, perl = TRUE)
+  regmatches(effect, found) <- lapply(regmatches(effect, found), function(names) {
+    vapply(names, plain_name, "")
+  })
   effect
 }
 
@@ -291,12 +296,12 @@ trials_with_excluded <- function(path, part) {
   if (length(same) == 1) same[[1]]$trials
 }
 
-repeat_lines <- function() {
+repeat_lines <- function(script) {
   c("<h2 id=\"repeat\">How to repeat</h2>",
     "<p>The views of the study that this page is made of are the tables in <code>data/</code>",
     "(<code>columns.csv</code> names their columns and types; an empty cell is missing), and the code is",
     "in <code>analysis/</code>. In this folder,</p>",
-    "<p><code>Rscript analysis/report.R data --out again</code></p>",
+    sprintf("<p><code>Rscript analysis/%s data --out again</code></p>", script),
     "<p>makes every figure, model and table again. What participants wrote in free words is not part",
     "of the data.</p>")
 }

@@ -11,8 +11,9 @@ threshold_captions <- function(study) {
     curves = sprintf(paste("%s by %s, one panel for each %s. Circles: shares, area by the number of",
       "trials; lines: fitted functions."), positive_label(study), name_and_unit(study$axis), who),
     thresholds = sprintf(paste("Thresholds of %s by condition. Grey: each %s with a 95 %% interval",
-      "by parametric bootstrap (%d draws); black: the mean and its 95 %% t interval."),
-      name_and_unit(study$axis), who, kBootstrapDraws))
+      "by parametric bootstrap (%d draws); black: the mean%s."),
+      name_and_unit(study$axis), who, kBootstrapDraws,
+      if (participant_count(study$trials) > 1) " and its 95 % t interval" else ""))
 }
 
 curves_panel <- function(study, functions) {

@@ -101,9 +101,10 @@ threshold_words <- function(study, rows, means, tests) {
   anova <- tests_of(tests, kThresholdAnovaFamily)
   model <- tests_of(tests, kThresholdFamily)
   c(
-    sprintf("Mean threshold%s, %s%s: %s (95 %% t intervals over participants; %s).",
+    sprintf("Mean threshold%s, %s%s: %s (%s%s).",
       if (study$log10) " (geometric)" else "", name_and_unit(study$axis),
       if (length(study$split) > 0) paste(", by", condition_label(study)) else "", each,
+      if (any(!is.na(means$low))) "95 % t intervals over participants; " else "",
       count_of(used, "function")),
     vapply(seq_len(nrow(anova)), function(i) sprintf(
       "%s: %s, generalised η² = %.3f.", sentence_case(effect_words(gsub(":", " × ", anova$effect[i]))),

@@ -55,8 +55,9 @@ threshold_remarks <- function(study, rows) {
       "No threshold, for the answers do not rise with %s: %s.", plain_name(study$axis), named(without)),
     if (nrow(outside) > 0) sprintf(
       "Threshold outside the levels shown, left out of means and tests: %s.", named(outside)),
-    if (poor > 0) sprintf(paste("%s of %d fit worse than 19 of 20 draws from themselves would",
-      "(deviance, parametric bootstrap)."), count_of(poor, "function"), sum(!is.na(rows$deviance_p)))
+    if (poor > 0) sprintf(paste("%s of %d %s worse than 19 of 20 draws from the fit would (deviance,",
+      "parametric bootstrap)."), count_of(poor, "function"), sum(!is.na(rows$deviance_p)),
+      if (poor == 1) "fits" else "fit")
   )
 }
 

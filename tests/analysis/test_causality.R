@@ -54,6 +54,8 @@ test_that("one participant gives a page and no test, even in a C locale", {
   page <- paste(readLines(file.path(out, "report.html"), encoding = "UTF-8"), collapse = " ")
   expect_match(page, "One participant: the figure and the means describe; no inferential test")
   expect_match(page, "Dingliana 2002, sec. 6.2.1 and fig. 6.5", fixed = TRUE)
+  expect_match(page, "Rscript analysis/causality.R data --out again", fixed = TRUE)
+  expect_true(file.exists(file.path(out, "analysis/causality.R")))
 })
 
 test_that("levels that separate completely leave the other tests, without a warning", {

@@ -62,7 +62,7 @@ test_that("a large p is never called no difference", {
       interval = c(-0.1, 0.5), interval_level = 0.9))))
   expect_equal(rating_contrast_words(tests, kFivePoints), c(
     paste("Planned contrast, tracked against random (cumulative-link mixed model of these two",
-      "kinds, random intercept for each participant; Holm over 1 tests): odds ratio of a higher",
+      "kinds, random intercept for each participant; Holm over 1 test): odds ratio of a higher",
       "rating overall 1.50, 95 % CI [0.70, 3.20], p = .300, Holm-corrected p = .300."),
     "A difference was not detected overall, which is not evidence of its absence.",
     "Equivalence within ±0.30 points was not shown overall."))

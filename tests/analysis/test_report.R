@@ -69,6 +69,23 @@ test_that("words stay words, whatever they hold", {
     "<p>p &lt; .001 and <code>impetus run</code> &amp; more</p>")
 })
 
+test_that("an effect's factors are called by their labels, each once, or by their names as words are", {
+  withr::local_options(impetus.labels = c(speed_percent = "Speed at a level (x.y)", level = "Level of the tree"),
+    impetus.levels = list(level = c("0", "4"), speed_percent = "50", viewpoint_deg = "0"))
+  expect_equal(effect_words(c("speed_percent: 50 against 0", "level × viewpoint_deg", "my.level: 1")),
+    c("speed at a level: 50 against 0", "level of the tree × viewpoint", "my.level: 1"))
+})
+
+test_that("what was shown by condition stands in the protocol's order", {
+  rows <- data.frame(participant = "P01", trial = 1:4, level = 0, stopped = "finest", gap_arcmin = 1,
+    hidden_share = 0, away_deg = NA, spun = 0)
+  levels <- data.frame(trial = 1:4, factor = rep(c("b", "a"), each = 4), of = c("y", "x", "y", "x",
+    "2", "10", "2", "10"))
+  withr::local_options(impetus.levels = list(b = c("y", "x"), a = c("2", "10")))
+  table <- levels_by_factor(rows, levels)
+  expect_equal(table$level, c("y", "x", "2", "10"))
+})
+
 test_that("the report's tables hold what the views hold, and give it back", {
   trials <- causality_trials(31, participants = 2, repetitions = 1)
   trials$participant <- c("007", "NA")[factor(trials$participant)]
