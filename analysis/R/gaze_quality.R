@@ -24,7 +24,7 @@ kWarnLatencyMs <- 70
 # on its calibration and tables as part_results.R has them; NULL elsewhere.
 gaze_shown <- function(path, protocol) {
   of <- function(view) analysed_rows(path, protocol, rows_of_view(path, view, protocol))
-  trials <- of("rated_trial")
+  trials <- of(shown_view(path))
   trials <- trials[trials$phase == "main", ]
   views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
   if (all(is.na(trials$gaze_source)) || !"gaze_trial" %in% views) return(NULL)  # data of before

@@ -96,8 +96,9 @@ part_methods <- function(part) {
   trials <- part$trials
   per <- range(table(trials$participant))
   c(
-    sprintf("%s: %s, %s %ss of each participant.", title_of_part(part),
-      if (length(part$factors) == 0) "no factor varied" else varied_words(part), paste(unique(per), collapse = " to "), answer_noun(part)),
+    sprintf("%s: %s, %s of each participant.", title_of_part(part),
+      if (length(part$factors) == 0) "no factor varied" else varied_words(part), paste0(paste(unique(per),
+        collapse = " to "), " ", answer_noun(part), if (per[2] == 1) "" else "s")),
     switch(part$response,
       rating = c(sprintf("Participants rated from %s.", describe_scale(part$scale)),
         if ("gaps" %in% part$study$shown) paste("Ratings were set against the gap of each trial's first",
@@ -128,7 +129,8 @@ analysis_words <- function(parts) {
     "Where one of these could not be made, the results name it and say why.")
   described <- identical(kinds, "distribution")
   c(if (described) tested[1] else if (length(people) > 1) tested else
-    "One participant's data are described; no test across participants was made.",
+    if (length(people) == 1)
+      "One participant's data are described; no test across participants was made.",
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))
 }
 

@@ -57,7 +57,7 @@ answers_tested <- function(part, question) {
 # Simulated studies are thrown away, so the view may be made in the file itself.
 with_clicked_trials <- function(path) {
   study <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), path))
-  DBI::dbExecute(study, kClickedTrialSql)
+  with_trials_of_clicks(study)
   path
 }
 

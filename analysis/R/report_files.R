@@ -32,7 +32,20 @@ kDesignLevelSql <- "SELECT protocol.name AS protocol, protocol.hash AS protocol_
   FROM protocol, json_each(protocol.protocol_json, '$.design.factors') AS factor,
   json_each(factor.value, '$.levels') AS level WHERE json_valid(protocol.protocol_json)"
 
-kMadeCounts <- c("place", "number", "trial", "samples", "blink", "off_screen", "lost")
+# Every trial that was completed, whatever was asked in it: which views tell of rated ones alone.
+kShownTrialSql <- "SELECT participant.pseudonym AS participant, protocol.name AS protocol,
+  protocol.hash AS protocol_hash, trial.id AS trial, trial.phase AS phase, trial.catch AS catch,
+  attempt.intended_hold_ms, attempt.realised_hold_ms, attempt.timed_frames, attempt.late_timed_frames,
+  attempt.sync_overridden, attempt.gaze_source, attempt.gaze_latency_p95_ms, attempt.gaze_late,
+  attempt.gaze_lost_share FROM attempt JOIN trial ON trial.id = attempt.trial_id
+  JOIN enrolment ON enrolment.id = trial.enrolment_id
+  JOIN participant ON participant.id = enrolment.participant_id
+  JOIN protocol ON protocol.id = enrolment.protocol_id WHERE attempt.outcome = 'completed'"
+
+kMadeCounts <- c("place", "number", "trial", "samples", "blink", "off_screen", "lost", "catch",
+  "timed_frames", "late_timed_frames", "sync_overridden", "gaze_late")
+kMadeMeasures <- c("span_s", "intended_hold_ms", "realised_hold_ms", "gaze_latency_p95_ms",
+  "gaze_lost_share")
 
 # The samples of the gaze in each stimulus, counted; by trial in a file of before schema 13, which does
 # not tell two stimuli apart.
@@ -50,12 +63,13 @@ write_report_data <- function(path, folder) {
   DBI::dbExecute(study, "BEGIN")
   columns <- each_row(names(kReportViews), function(view) write_view(study, view, folder))
   made <- list(design_level = DBI::dbGetQuery(study, kDesignLevelSql),
-    gaze_trial = DBI::dbGetQuery(study, gaze_trial_sql(study)))
+    gaze_trial = DBI::dbGetQuery(study, gaze_trial_sql(study)),
+    shown_trial = DBI::dbGetQuery(study, kShownTrialSql))
   DBI::dbExecute(study, "COMMIT")
   columns <- rbind(columns, each_row(names(made), function(name) {
     write_rows(made[[name]], folder, name)
     fields <- names(made[[name]])
-    data.frame(view = name, column = fields, type = ifelse(fields == "span_s", "REAL",
+    data.frame(view = name, column = fields, type = ifelse(fields %in% kMadeMeasures, "REAL",
       ifelse(fields %in% kMadeCounts, "INTEGER", "TEXT")))
   }))
   write_rows(columns, folder, "columns")
@@ -105,16 +119,23 @@ study_of_report_data <- function(folder) {
       field.types = stats::setNames(mine$type, mine$column))
     DBI::dbExecute(study, sprintf("CREATE VIEW %s AS SELECT * FROM %s_rows", view, view))
   }
-  DBI::dbExecute(study, kClickedTrialSql)
+  with_trials_of_clicks(study)
   path
 }
 
-# Trials with clicks as other trials are described, from the rating of the same trial where there was
-# one: a protocol may ask for clicks alone.
+# Adds the views shown_trial, where the file has not got it, and clicked_trial to a file of its own.
+with_trials_of_clicks <- function(study) {
+  known <- DBI::dbGetQuery(study, "SELECT name FROM sqlite_master")$name
+  if ("attempt" %in% known) DBI::dbExecute(study, paste("CREATE VIEW shown_trial AS", kShownTrialSql))
+  DBI::dbExecute(study, sprintf(kClickedTrialSql,
+    if (any(c("attempt", "shown_trial") %in% known)) "shown_trial" else "rated_trial"))  # data of before
+}
+
+# Trials with clicks as other trials are described.
 kClickedTrialSql <- "CREATE VIEW clicked_trial AS SELECT clicked.*,
   coalesce(rated.protocol_hash, '') AS protocol_hash, coalesce(rated.catch, 0) AS catch,
   CASE clicked.simulated WHEN 1 THEN 'simulated' ELSE 'mouse' END AS device,
   coalesce(rated.timed_frames, 0) AS timed_frames,
   coalesce(rated.late_timed_frames, 0) AS late_timed_frames,
   coalesce(rated.sync_overridden, 0) AS sync_overridden, coalesce(rated.gaze_late, 0) AS gaze_late
-  FROM click_trial AS clicked LEFT JOIN rated_trial AS rated USING (trial)"
+  FROM click_trial AS clicked LEFT JOIN %s AS rated USING (trial)"

@@ -23,9 +23,15 @@ enrolments_not_left_out <- function(path, protocol) {
   rows[!rows$participant %in% whole, ]
 }
 
+# The view that tells of every completed trial; in data of before, of rated ones alone.
+shown_view <- function(path) {
+  views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
+  if ("shown_trial" %in% views) "shown_trial" else "rated_trial"
+}
+
 # Those of `rows` (participant, trial) whose trials are analysed: no catch trials, none left out.
 analysed_rows <- function(path, protocol, rows) {
-  catch <- query_study(path, paste("SELECT trial FROM rated_trial WHERE catch = 1",
+  catch <- query_study(path, paste("SELECT trial FROM", shown_view(path), "WHERE catch = 1",
     "UNION SELECT trial FROM trial_response WHERE catch = 1"))$trial
   out <- query_study(path, "SELECT trial FROM excluded WHERE trial IS NOT NULL")$trial
   people <- analysed_enrolments(path, protocol)$participant
@@ -74,7 +80,7 @@ kParticipantHeads <- c("Participant", "Who", "Main trials planned", "completed",
 
 # Sentences about timing, freezes, collisions and gaze of the trials of a protocol that are analysed.
 shown_sentences <- function(path, protocol, collisions) {
-  rows <- analysed_rows(path, protocol, rows_of_view(path, "rated_trial", protocol))
+  rows <- analysed_rows(path, protocol, rows_of_view(path, shown_view(path), protocol))
   popped <- analysed_rows(path, protocol, query_study(path, paste("SELECT participant, trial, pops,",
     "largest_pop_deg FROM popped_step WHERE protocol = ? AND phase = 'main'"), protocol))
   c(
@@ -100,7 +106,7 @@ spin_sentences <- function(rows, levels) {
 frame_sentences <- function(rows) {
   timed <- sum(rows$timed_frames, na.rm = TRUE)
   late <- sum(rows$late_timed_frames, na.rm = TRUE)
-  if (timed == 0) return("No timed frame was recorded.")
+  if (timed == 0) return("No timed frame was recorded of those who are analysed.")
   sprintf("%s frames were timed, practice included; %s.", format(timed, big.mark = ","),
     if (late == 0) "none was late" else sprintf("%s (%.3f %%) came late",
       format(late, big.mark = ","), 100 * late / timed))
@@ -129,7 +135,7 @@ gaze_shown_sentences <- function(rows) {
 }
 
 collision_sentences <- function(rows) {
-  if (nrow(rows) == 0) return("No collision was recorded in the main trials.")
+  if (nrow(rows) == 0) return("No collision was recorded in the main trials that are analysed.")
   measured <- sum(!is.na(rows$gap_arcmin))
   c(
     sprintf("%s in %s.", count_of(nrow(rows), "collision"),

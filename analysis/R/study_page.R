@@ -116,7 +116,7 @@ protocol_lines <- function(protocol, parts, path, folder) {
     "<h3>What was really shown</h3>", shown_lines(path, protocol), gaze_lines(path, protocol, folder),
     sprintf("<p>%s</p>", html_text(unique(vapply(refused, `[[`, "", "why")))),
     if (length(results) + length(refused) == 0) paste0("<h3>Results</h3><p>There are no answers of the",
-      " main phase yet, or the protocol asks for none: nothing was tested.</p>"),
+      " main phase to analyse: none yet, free words alone, or the protocol asks for none.</p>"),
     unlist(lapply(results, result_lines, folder = folder)), "<h3>Methods, in words</h3>",
     html_paragraphs(paste(methods_sentences(path, protocol, analysed), collapse = " ")),
     "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(analysed))),
@@ -269,11 +269,13 @@ effect_words <- function(effect) {
   factors <- unique(c(names(getOption("impetus.labels")), names(getOption("impetus.levels"))))
   if (length(factors) == 0) return(effect)
   one_of <- paste0("\\Q", factors[order(-nchar(factors))], "\\E", collapse = "|")
-  found <- gregexpr(sprintf("(?<![\\w.])(%s)(?![\\w.])", one_of), effect, perl = TRUE)
-  regmatches(effect, found) <- lapply(regmatches(effect, found), function(names) {
+  head <- sub(": .*$", "", effect)  # what follows are levels
+  found <- gregexpr(sprintf("(?<![\\w.])(%s)(?![\\w.])", one_of), head, perl = TRUE)
+  named <- head
+  regmatches(named, found) <- lapply(regmatches(head, found), function(names) {
     vapply(names, plain_name, "")
   })
-  effect
+  paste0(named, substring(effect, nchar(head) + 1))
 }
 
 df_words <- function(rows) {

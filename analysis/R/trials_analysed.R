@@ -24,8 +24,18 @@ read_remarkable <- function(study, protocol, enrolments) {
       "WHERE phase = 'main' UNION ALL",
       "SELECT protocol, participant, trial, 'set aside with its block' FROM set_aside_attempt)",
       "WHERE protocol = ?"),
-    timed_out = ask("SELECT participant, trial FROM trial_response",
+    timed_out = ask("SELECT participant, trial, kind, question, catch FROM trial_response",
       "WHERE protocol = ? AND phase = 'main' AND timed_out = 1"))
+}
+
+# Those of a part's answers that did not come in time, of trials that would be analysed.
+timed_out_of <- function(part) {
+  rows <- part$timed_out
+  kind <- switch(part$response, rating = "rating", mark = "slider", clicks = , press = "none",
+    if (!is.null(part$choices)) "choice" else if (isTRUE(part$kind %in% kThresholdKinds)) part$kind else
+      "yes_no")
+  rows[rows$kind == kind & rows$catch == 0 & !is_excluded(rows, part$exclusions) &
+    (is.null(part$question) | rows$question == c(part$question, "")[1]), ]
 }
 
 # Which of these rows are excluded: TRUE for each that is.
@@ -101,7 +111,7 @@ remarkable_lines <- function(study) {
       row(sprintf("showings interrupted (%s)", if (is.na(reason)) "not known" else reason),
         study$interrupted[study$interrupted$interrupted_by %in% reason, ], "not data; shown again")
     }, ""),
-    row("without an answer in time", study$timed_out, "no answer to analyse"),
+    row("without an answer in time", timed_out_of(study), "no answer to analyse"),
     if (!is.null(study$unclicked)) row("without a click", study$unclicked, "no time to analyse"),
     row("catch trials", study$catch, "apart, below")))
 }
@@ -182,7 +192,8 @@ unclicked_sentence <- function(study) {
 
 catch_sentence <- function(study) {
   if (nrow(study$catch) == 0) return(character())
-  sprintf("%s are reported apart and are in no test.", count_of(nrow(study$catch), "catch trial"))
+  be <- if (nrow(study$catch) == 1) "is" else "are"
+  sprintf("%s %s reported apart and %s in no test.", count_of(nrow(study$catch), "catch trial"), be, be)
 }
 
 # What a participant gives in a trial of this study: a rating, an answer or, with clicks, the trial.

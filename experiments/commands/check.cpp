@@ -72,7 +72,8 @@ void print_exposure(const Protocol& protocol, const Plan& plan) {
     for (const LevelValue& level : factor.levels) {
       const std::string value = to_text(level);
       text += (text.empty() ? "" : ", ") + value + ": " +
-              std::to_string(shown[factor.name + " " + value]) + " times";
+              std::to_string(shown[factor.name + " " + value]) +
+              (shown[factor.name + " " + value] == 1 ? " time" : " times");
     }
     std::printf("  shown        %s %s\n", factor.name.c_str(), text.c_str());
   }

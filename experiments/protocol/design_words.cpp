@@ -30,7 +30,7 @@ std::string cells_line(const Design& design) {
   }
   return (product.empty() ? "1" : product) +
          (within > 1    ? " cells, "
-          : within == 1 ? " levels, "
+          : within == 1 ? (product == "1" ? " level, " : " levels, ")
                         : " cell, ") +
          count_of(design.repetitions, "repetition", "repetitions") + " of each.";
 }
@@ -161,9 +161,10 @@ std::vector<std::string> design_lines(const Design& design,
     for (const Condition& condition : stream.conditions) {
       conditions += (conditions.empty() ? "" : "; ") + condition_words(condition);
     }
-    lines.push_back("Adaptation where " + text_of(condition_words(stream.when)) + ": " +
-                    count_of(stream.first, "trial", "trials") + " before the first of a block, " +
-                    std::to_string(stream.before_each) +
+    const std::string where =
+        stream.when.empty() ? "everywhere" : "where " + text_of(condition_words(stream.when));
+    lines.push_back("Adaptation " + where + ": " + count_of(stream.first, "trial", "trials") +
+                    " before the first of a block, " + std::to_string(stream.before_each) +
                     " before each other one, of which nothing is asked: " + text_of(conditions) +
                     ".");
   }

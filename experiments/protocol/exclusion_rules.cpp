@@ -46,10 +46,14 @@ void check_exclusion_rules(const JsonDocument& protocol, const ExclusionRules& r
            "expected a question that has a right answer (yes_no with right_when, or two_interval), "
            "but there is none");
   }
-  if (*rules.practice_right_below > static_cast<std::int64_t>(design.practice.size())) {
+  const std::int64_t rounds = script.practice_rule ? script.practice_rule->rounds : 1;
+  const std::int64_t most = script.training_rule
+                                ? script.training_rule->most_trials
+                                : rounds * static_cast<std::int64_t>(design.practice.size());
+  if (*rules.practice_right_below > most) {
     refuse(protocol, below,
-           "expected at most the " + std::to_string(design.practice.size()) +
-               " trials of practice, got " + std::to_string(*rules.practice_right_below));
+           "expected at most the " + std::to_string(most) + " trials of practice, got " +
+               std::to_string(*rules.practice_right_below));
   }
 }
 
@@ -64,8 +68,10 @@ std::vector<std::string> exclusion_lines(const ExclusionRules& rules) {
                     " times in a row, or more");
   }
   if (rules.practice_right_below) {
-    lines.push_back("answers fewer than " + std::to_string(*rules.practice_right_below) +
-                    " trials of practice right");
+    const std::int64_t least = *rules.practice_right_below;
+    lines.push_back(least == 1 ? "answers no trial of practice right"
+                               : "answers fewer than " + std::to_string(least) +
+                                     " trials of practice right");
   }
   return lines;
 }

@@ -144,7 +144,7 @@ test_that("what else happened is counted: late frames, late gaze, interruptions,
     0, 0, session_id FROM attempt WHERE trial_id = 5")
   DBI::dbExecute(study, "INSERT INTO response (attempt_id, number, kind, question, detail, device,
     question_shown_ns, arrived_ns, arrival_uncertainty_ns, timed_out)
-    VALUES (9, 1, 'yes_no', 'Seen?', '{}', 'none', 0, 0, 0, 1)")
+    VALUES (9, 1, 'rating', 'Seen?', '{}', 'none', 0, 0, 0, 1)")
   DBI::dbDisconnect(study)
   lines <- remarkable_lines(read_it(path))[-(1:2)]
   expect_equal(lines, c(

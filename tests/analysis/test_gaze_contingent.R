@@ -149,6 +149,22 @@ test_that("trials marked late are in the primary contrast, and out of its sensit
     p.adjust(tests_of(tests, kContrastFamily)$p, "holm"))
 })
 
+test_that("catch trials are apart where clicks alone are asked for, too", {
+  trials <- gaze_trials(167, participants = 2, repetitions = 1)
+  trials$catch <- rep(0:1, length.out = nrow(trials))
+  path <- gaze_file(trials)
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "DELETE FROM rating")
+  DBI::dbDisconnect(study)
+  reported <- as_reported(path)
+  part <- parts_of_protocol(reported, "gaze-contingent")[[1]]
+  expect_equal(c(part$response, nrow(part$trials), nrow(part$catch)), c("clicks", "12", "12"))
+  expect_equal(part$hashes, "gaze-contingent hash-1")
+  # The views of one who is not asked for a rating tell of no frames; the trials do.
+  expect_equal(sum(rows_of_view(reported, shown_view(reported), "gaze-contingent")$timed_frames),
+    150 * nrow(trials))
+})
+
 test_that("clicks of data from before a click could end a trial are clicks", {
   path <- as_reported(gaze_file(gaze_trials(166, participants = 2, repetitions = 1)))
   study <- DBI::dbConnect(RSQLite::SQLite(), path)

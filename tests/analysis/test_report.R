@@ -219,7 +219,7 @@ test_that("a study in progress, and one that has only begun, are told as such", 
     "participants who have finished")
   trials$rating <- NA
   report <- made_report(small_study(trials))
-  expect_says(report, "There are no answers of the main phase yet", "enrolled")
+  expect_says(report, "There are no answers of the main phase to analyse: none yet", "enrolled")
 })
 
 test_that("a study of which everything is excluded says so", {

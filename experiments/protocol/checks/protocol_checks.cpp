@@ -286,6 +286,11 @@ void check_adaptation(const Protocol& protocol) {
         refuse(protocol.document, place + "/when",
                "expected a factor of the design, got " + json_text(level.factor));
       }
+      if (protocol.design.adaptive && protocol.design.adaptive->factor == level.factor) {
+        refuse(protocol.document, place + "/when/" + factor->name,
+               "expected a factor whose levels are known beforehand, got " +
+                   json_text(level.factor) + ", which is adaptive");
+      }
       if (!has_level(*factor, level.value)) {
         refuse(protocol.document, place + "/when/" + factor->name,
                "expected one of the factor's levels " + list_text(factor->levels) + ", got " +
@@ -354,6 +359,10 @@ void check_practice_rule(const Protocol& protocol) {
   }
   const PracticeRule& rule = *protocol.script.practice_rule;
   named_factor(protocol.document, "/design/practice_until/factor", protocol.design, rule.factor);
+  if (rule.best == rule.worst) {
+    refuse(protocol.document, "/design/practice_until/worst",
+           "expected another level than the best, got " + json_text(rule.worst));
+  }
   for (const auto& [end, level] : {std::pair("best", rule.best), std::pair("worst", rule.worst)}) {
     const FactorLevel wanted{rule.factor, level};
     const std::vector<Condition>& practice = protocol.design.practice;

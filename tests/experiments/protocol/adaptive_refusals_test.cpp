@@ -87,6 +87,11 @@ TEST(AdaptiveRefusal, TracksSayHowManyTrialsThereAreAndRunsCannotBeOfTheirLevels
        {"/design/longest_runs", json::parse(R"([{"factor": "delay_ms", "longest": 3}])"),
         "/design/longest_runs/0/factor: expected a factor whose levels are known beforehand, got "
         "\"delay_ms\", which is adaptive"},
+       {"/design/adaptation",
+        json::parse(R"([{"when": {"delay_ms": 0}, "first": 1, "before_each": 1,
+            "conditions": [{"delay_ms": 0, "speed_deg_s": 5, "viewpoint_deg": 0}]}])"),
+        "/design/adaptation/0/when/delay_ms: expected a factor whose levels are known beforehand, "
+        "got \"delay_ms\", which is adaptive"},
        {"/design/adaptive/trials_per_track", 1000,
         "/design: expected at most 10000 trials, got 18000 (all tracks, catch trials and "
         "adaptation "

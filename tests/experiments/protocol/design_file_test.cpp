@@ -40,6 +40,13 @@ TEST(AdaptationRows, SayWhatIsWrongWithThem) {
   EXPECT_NE(refused(always, part, 1, 1), "accepted");
 }
 
+TEST(PracticeRule, ItsTwoEndsAreTwoLevels) {
+  EXPECT_EQ(
+      Study().with("/design/practice_until/worst", 0).refused(),
+      "protocols/causality.json:/design/practice_until/worst: expected another level than the "
+      "best, got 0");
+}
+
 // ---------------------------------------------------------------- frames
 
 TEST(Frames, CausalityFallsOnTheFramesOf60And100Hz) {
