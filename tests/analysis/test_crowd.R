@@ -34,7 +34,7 @@ test_that("the interaction is tested in whatever order the design has its factor
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   DBI::dbExecute(study, "UPDATE protocol SET protocol_json = '{\"clicks\": {}}'")
   DBI::dbExecute(study, "INSERT INTO click VALUES (1, 1, 'mouse', 1, 1, 1), (1, 2, 'mouse', 9, 1, 1)")
-  DBI::dbExecute(study, kClickedTrialSql)
+  with_trials_of_clicks(study)
   DBI::dbDisconnect(study)
   withr::local_options(impetus.levels = list(scheduler = "distance", bodies = "50"))
   part <- read_crowd(path)

@@ -41,8 +41,9 @@ TEST(AdaptationRows, SayWhatIsWrongWithThem) {
 }
 
 TEST(PracticeRule, ItsTwoEndsAreTwoLevels) {
+  const json rule{{"factor", "delay_ms"}, {"best", 0}, {"worst", 0}, {"rounds", 2}};
   EXPECT_EQ(
-      Study().with("/design/practice_until/worst", 0).refused(),
+      Study().with("/design/practice_until", rule).refused(),
       "protocols/causality.json:/design/practice_until/worst: expected another level than the "
       "best, got 0");
 }
