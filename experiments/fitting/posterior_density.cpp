@@ -16,7 +16,7 @@ PosteriorDensity::PosteriorDensity(const ObserverKind& kind, const RatingParamet
                                    const std::vector<AnsweringPerson>& people,
                                    const ObserverFit& fit)
     : likelihood_(kind, assumed, people, people.size() > 1) {
-  constexpr double kTolerance = 1e-4;
+  constexpr double kSettled = 1e-4;
   std::vector<double> centre;
   std::vector<double> start;
   for (std::size_t i = 0; i < likelihood_.movable().size(); ++i) {
@@ -39,7 +39,7 @@ PosteriorDensity::PosteriorDensity(const ObserverKind& kind, const RatingParamet
   if (!std::isfinite(cost(mode_))) {
     mode_ = centre_;
   }
-  mode_ = find_minimum(cost, mode_, kTolerance).at;
+  mode_ = find_minimum(cost, mode_, kSettled).at;
   covariance_ = inverse_of_curvature(curvature_at(cost, mode_));
 }
 

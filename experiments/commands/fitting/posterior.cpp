@@ -140,14 +140,14 @@ Posterior sample_posterior(PosteriorDensity& density, const std::function<void(d
 }
 
 std::string draws_table(const Posterior& posterior) {
-  constexpr int kDigits = 6;
+  constexpr int kWritten = 6;
   std::string text = "chain";
   for (const PosteriorParameter& one : posterior.parameters) {
     text += "," + one.name;
   }
   for (const std::vector<double>& draw : posterior.draws) {
     for (std::size_t i = 0; i < draw.size(); ++i) {
-      text += (i == 0 ? "\n" : ",") + rounded_number(draw[i], kDigits);
+      text += (i == 0 ? "\n" : ",") + rounded_number(draw[i], kWritten);
     }
   }
   return text + "\n";

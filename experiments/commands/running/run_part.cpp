@@ -53,7 +53,7 @@ void require_markers(const RunPart& part, const RunOptions& options) {
 }
 
 /// Where there is a window, some font has all letters.
-void require_fonts(const RunPart& part) {
+void require_fonts([[maybe_unused]] const RunPart& part) {
 #ifdef IMPETUS_WINDOW
   const auto missing =
       part.lab.has_window() ? first_letter_without_font(part.lab.letters) : std::nullopt;
