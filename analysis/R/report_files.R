@@ -14,8 +14,8 @@ kReportViews <- list(
   set_aside_attempt = list(), click_trial = list(), trial_click = list(),
   seen_collision = list(columns = c("participant", "protocol", "trial", "phase", "step", "body_a",
     "body_b", "level", "stopped", "imposed_hold_ms", "eccentricity_deg", "gap_arcmin",
-    "hidden_share", "time_s", "distance_m", "speed_deg_s", "list", "gaze_eccentricity_deg", sprintf("imposed_spin_%s_rad_s",
-      c("a_x", "a_y", "a_z", "b_x", "b_y", "b_z")))),
+    "hidden_share", "time_s", "distance_m", "speed_deg_s", "list", "gaze_eccentricity_deg",
+    sprintf("imposed_spin_%s_rad_s", c("a_x", "a_y", "a_z", "b_x", "b_y", "b_z")))),
   popped_step = list(), gaze_calibration = list(), session_provenance = list())
 
 kReadViews <- c(names(kReportViews), "gaze_sample")  # of which samples are only counted

@@ -34,8 +34,8 @@ timed_out_of <- function(part) {
   kind <- switch(part$response, rating = "rating", mark = "slider", clicks = , press = "none",
     if (!is.null(part$choices)) "choice" else if (isTRUE(part$kind %in% kThresholdKinds)) part$kind else
       "yes_no")
-  rows[rows$kind == kind & rows$catch == 0 & !is_excluded(rows, part$exclusions) &
-    (is.null(part$question) | rows$question == c(part$question, "")[1]), ]
+  if (!is.null(part$question)) rows <- rows[rows$question == part$question, ]
+  rows[rows$kind == kind & rows$catch == 0 & !is_excluded(rows, part$exclusions), ]
 }
 
 # Which of these rows are excluded: TRUE for each that is.

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <string>
@@ -31,23 +32,27 @@ bool is_left_behind(const fs::path& path) {
   return file.is_open() && flock(file.get(), LOCK_EX | LOCK_NB) == 0;
 }
 
+/// A journal of SQLite's goes with its file, or after it; everything else when nobody holds it.
+bool can_go(const fs::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  return name.ends_with(kJournal)
+             ? !fs::exists(name.substr(0, name.size() - kJournal.size()), error)
+             : is_left_behind(path);
+}
+
 void remove_what_was_left(const fs::path& target) {
   const std::string begin = target.filename().string() + std::string(kMark);
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(
            target.has_parent_path() ? target.parent_path() : fs::path("."), ignored)) {
-    std::string name = entry.path().filename().string();
-    fs::path of = entry.path();
-    if (name.ends_with(kJournal)) {  // a journal goes with its file, or after it
-      name.resize(name.size() - kJournal.size());
-      of.replace_filename(name);
-      if (fs::exists(of, ignored)) {
-        continue;
-      }
-      of = entry.path();
-    }
-    if (name.size() == begin.size() + kLetters && name.starts_with(begin) && is_left_behind(of)) {
-      fs::remove_all(of, ignored);
+    const std::string name = entry.path().filename().string();
+    const std::string end = name.starts_with(begin)
+                                ? name.substr(std::min(name.size(), begin.size() + kLetters))
+                                : name;
+    if (name.size() >= begin.size() + kLetters && (end.empty() || end == kJournal) &&
+        can_go(entry.path())) {
+      fs::remove_all(entry.path(), ignored);
     }
   }
 }

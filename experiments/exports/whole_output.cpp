@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/read_only_file.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline exports {
 namespace {
@@ -42,17 +43,12 @@ fs::path free_target(const fs::path& asked, const FolderCheck& check) {
   return target;
 }
 
-/// What tells people's enrolments in a study from all others.
-std::set<std::string> enrolments_in(StudyFile& study) {
-  std::set<std::string> all;
-  SQLite::Statement query(
+/// What tells people's enrolments in a study from all others, in order.
+std::vector<std::string> enrolments_in(StudyFile& study) {
+  return load_column<std::string>(
       study.database(),
-      "SELECT pseudonym || ', ' || seed || ', ' || planned_utc FROM participant JOIN enrolment ON "
-      "participant_id = participant.id");
-  while (query.executeStep()) {
-    all.insert(query.getColumn(0).getString());
-  }
-  return all;
+      "SELECT pseudonym || ', ' || seed || ', ' || planned_utc AS enrolled FROM participant JOIN "
+      "enrolment ON participant_id = participant.id ORDER BY enrolled");
 }
 
 /// Throws InputError unless the study at `target` can be made again: it was anonymised, or all who
@@ -65,8 +61,8 @@ void require_earlier_copy(StudyFile& study, const fs::path& target) {
   }
   StudyFile there = StudyFile::open_for_reading(target);
   const auto anonymised = there.database().execAndGet("SELECT anonymised_by FROM study");
-  const std::set<std::string> theirs = enrolments_in(there);
-  const std::set<std::string> ours = enrolments_in(study);
+  const std::vector<std::string> theirs = enrolments_in(there);
+  const std::vector<std::string> ours = enrolments_in(study);
   if (anonymised.isNull() &&
       !std::includes(ours.begin(), ours.end(), theirs.begin(), theirs.end())) {
     throw InputError(target.string() + ": expected an earlier export of " + study.name() +
