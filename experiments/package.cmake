@@ -39,7 +39,7 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk | fonts-wqy-microhei, ffmpeg, libzmq5")
 # Studies run without R; reports and figures need it.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "r-base-core, r-cran-rsqlite, r-cran-ordinal, r-cran-lme4, \
-r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-commonmark, r-cran-jsonlite, \
+r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-commonmark, \
 r-cran-mcmc, r-cran-coda")
 if(IMPETUS_PYTHON)
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-pandas")

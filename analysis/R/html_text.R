@@ -46,6 +46,7 @@ html_table <- function(rows, heads = names(rows)) {
   number <- vapply(rows, is.numeric, NA)
   class <- ifelse(number, " class=\"number\"", "")
   cells <- mapply(function(column, is_number, class) {
+    if (is.logical(column)) column <- ifelse(column, "yes", "no")
     words <- if (is_number) format_number(column) else as.character(column)
     words <- html_text(ifelse(is.na(column), "–", words))
     sprintf("<td%s>%s</td>", class, gsub(" (%|ms|′)", "\u00a0\\1", words))

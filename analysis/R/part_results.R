@@ -142,8 +142,11 @@ threshold_results <- function(part) {
         heads = c(condition_label(part), "Participants", paste("Mean,", name_and_unit(part$axis)),
           "95 % CI, from", "to")),
       list(name = "functions", title = "Each participant's function", rows = rows,
-        heads = gsub("_", " ", names(rows)), note = sprintf(paste("Threshold, low, high and spread%s;",
-          "low and high: 95 %% interval by parametric bootstrap; use FALSE: no threshold among the",
-          "levels shown."), if (part$log10) " in log₁₀" else "")),
+        heads = c("Participant", condition_label(part), "Trials", "Levels", "Threshold",
+          "95 % CI, from", "to", "Spread", "Guess rate", "Lapse rate", "Deviance", "p of it",
+          "In the tests"),
+        note = sprintf(paste("Threshold, interval and spread%s; intervals and p by parametric bootstrap;",
+          "in no test: a threshold beyond the levels shown."),
+          if (part$log10) " in log₁₀" else "")),
       threshold_sensitivity(part))))
 }

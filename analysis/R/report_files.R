@@ -14,7 +14,7 @@ kReportViews <- list(
   set_aside_attempt = list(), click_trial = list(), trial_click = list(),
   seen_collision = list(columns = c("participant", "protocol", "trial", "phase", "step", "body_a",
     "body_b", "level", "stopped", "imposed_hold_ms", "eccentricity_deg", "gap_arcmin",
-    "hidden_share", "time_s", "distance_m", "speed_deg_s", "list", "gaze_eccentricity_deg",
+    "hidden_share", "time_s", "distance_m", "speed_deg_s", "list", "gaze_eccentricity_deg", "interval",
     sprintf("imposed_spin_%s_rad_s", c("a_x", "a_y", "a_z", "b_x", "b_y", "b_z")))),
   popped_step = list(), gaze_calibration = list(), session_provenance = list())
 
@@ -119,9 +119,17 @@ study_of_report_data <- function(folder) {
       field.types = stats::setNames(mine$type, mine$column))
     DBI::dbExecute(study, sprintf("CREATE VIEW %s AS SELECT * FROM %s_rows", view, view))
   }
+  known <- paste(columns$view, columns$column, sep = ".")
+  if (all(c("seen_collision.interval", "trial_response.detail") %in% known))
+    DBI::dbExecute(study, kLeaveStandards)
   with_trials_of_clicks(study)
   path
 }
+
+# Of two stimuli the report tells of the one that had the condition's levels.
+kLeaveStandards <- "DELETE FROM seen_collision_rows WHERE (trial, interval) IN (
+  SELECT trial, 3 - json_extract(detail, '$.test_interval') FROM trial_response_rows
+  WHERE kind = 'two_interval')"
 
 # Adds the views shown_trial, where the file has not got it, and clicked_trial to a file of its own.
 with_trials_of_clicks <- function(study) {

@@ -86,6 +86,9 @@ shown_sentences <- function(path, protocol, collisions) {
   c(
     frame_sentences(analysed_enrolments(path, protocol)),
     hold_sentence(rows), gaze_shown_sentences(rows), collision_sentences(collisions),
+    if (nrow(collisions) > 0 && nrow(query_study(path, paste("SELECT 1 FROM trial_response",
+      "WHERE protocol = ? AND kind = 'two_interval' LIMIT 1"), protocol)) > 0)
+      "Of a trial's two stimuli these are of the one that had the condition's levels.",
     spin_sentences(collisions, levels_of_trials(path)), pop_sentence(popped))
 }
 

@@ -95,9 +95,6 @@ as_typed <- function(words) {
   gsub("([][\\\\`*_|#~])", "\\\\\\1", with_entities(words))
 }
 
-# The same between backticks, where nothing is markup but what ends the cell or the code.
-as_code <- function(words) gsub("|", "\\|", gsub("[`[:space:]]+", " ", words), fixed = TRUE)
-
 remarkable_lines <- function(study) {
   trials <- study$trials
   reasons <- sort(unique(study$interrupted$interrupted_by), na.last = TRUE)
@@ -125,12 +122,19 @@ catch_lines <- function(study) {
   catch$value <- measure$value
   rows <- vapply(split(catch, catch$condition), function(cell) {
     known <- cell$value[!is.na(cell$value)]
-    sprintf("`%s` | %d | %d | %s", as_code(cell$condition[1]), nrow(cell), participant_count(cell),
-      if (length(known) == 0) "– | –" else
+    sprintf("%s | %d | %d | %s", words_of_condition(study, cell$trial[1]), nrow(cell),
+      participant_count(cell), if (length(known) == 0) "– | –" else
         sprintf("%.2f | %.0f to %.0f", mean(known), min(known), max(known)))
   }, "")
   c("Catch trials, never pooled with the others:", "",
     markdown_table(c("condition", "trials", "participants", measure$title, "range"), unname(rows)))
+}
+
+# "delay at contact (ms) 300, collision spin": the trial's level of each factor.
+words_of_condition <- function(study, trial) {
+  levels <- query_study(study$path,
+    "SELECT factor, CAST(level AS TEXT) AS of FROM trial_level WHERE trial = ?", trial)
+  as_typed(paste(vapply(levels$factor, name_and_unit, ""), levels$of, collapse = ", "))
 }
 
 # What a study's catch trials are told by: list(title, value), a value for each; NA where there is none.

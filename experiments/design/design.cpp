@@ -81,4 +81,12 @@ std::string to_text(const LevelValue& value) {
   return exact_number(std::get<double>(value));
 }
 
+std::string condition_words(const Condition& condition) {
+  std::string text;
+  for (const FactorLevel& level : condition) {
+    text += (text.empty() ? "" : ", ") + level.factor + " " + to_text(level.value);
+  }
+  return text;
+}
+
 }  // namespace impetus::inline design

@@ -143,4 +143,7 @@ std::vector<double> numbers(const std::vector<LevelValue>& levels);
 /// "5", "0.5", "tracked", "true": a level as it is printed and stored.
 std::string to_text(const LevelValue& value);
 
+/// "delay_ms 300, speed_deg_s 10"
+std::string condition_words(const Condition& condition);
+
 }  // namespace impetus::inline design

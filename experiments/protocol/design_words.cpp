@@ -129,14 +129,6 @@ std::string changed_by(const Factor& factor) {
   return pointers.empty() ? "nothing of the scene" : pointers;
 }
 
-std::string condition_words(const Condition& condition) {
-  std::string text;
-  for (const FactorLevel& level : condition) {
-    text += (text.empty() ? "" : ", ") + level.factor + " " + to_text(level.value);
-  }
-  return text;
-}
-
 std::vector<std::string> design_lines(const Design& design,
                                       std::string (*text_of)(std::string_view)) {
   std::vector<std::string> lines{cells_line(design_of_group(design, groups(design).front()))};

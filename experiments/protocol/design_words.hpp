@@ -16,9 +16,6 @@ std::string level_list(const Factor& factor);
 /// "/bodies/0/mass", "keys of yes_no": what the factor changes.
 std::string changed_by(const Factor& factor);
 
-/// "delay_ms 300, speed_deg_s 10"
-std::string condition_words(const Condition& condition);
-
 /// The text as it is.
 inline std::string plain_text(std::string_view text) { return std::string(text); }
 

@@ -22,8 +22,8 @@ std::filesystem::path find_observer(const std::string& name,
   const auto root = std::filesystem::absolute(protocol).parent_path().parent_path();
   auto beside = root / "experiments" / "observers" / (name + ".json");
   if (!is_there(beside)) {
-    throw InputError("--observer " + name + ": expected a file, or the name of one in " +
-                     beside.parent_path().string());
+    throw InputError("--observer " + name +
+                     ": expected a file, or a name that `impetus observers` lists");
   }
   return beside;
 }

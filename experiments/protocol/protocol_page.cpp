@@ -287,11 +287,30 @@ std::string language_words(const Protocol& protocol) {
   return texts.empty() ? page : page + "\n";
 }
 
+/// What is asked before the first trial, and what may be answered.
+std::string told_before(const std::vector<Field>& demographics) {
+  std::string page;
+  for (const Field& field : demographics) {
+    std::string values = field.kind == Field::Kind::kText ? "in own words" : "";
+    if (field.kind == Field::Kind::kNumber) {
+      const bool bounded = field.minimum > Field{}.minimum || field.maximum < Field{}.maximum;
+      values =
+          bounded ? number_words(field.minimum) + " to " + number_words(field.maximum) : "a number";
+    }
+    for (const std::string& option : field.options) {
+      values += (values.empty() ? "" : ", ") + markdown_text(option);
+    }
+    page += "- “" + markdown_text(field.label) + "”: " + values + "\n";
+  }
+  return page.empty() ? page : "Asked then:\n\n" + page + "\n";
+}
+
 std::string words_shown(const Protocol& protocol) {
   const Script& script = protocol.script;
   std::string page = heading("What the participant reads") + language_words(protocol);
   page += quoted(script.welcome) + quoted(script.consent);
   page += "Agreed to, or not: “" + markdown_text(script.consent_statement) + "”\n\n";
+  page += told_before(script.demographics);
   for (const Text& text : script.instructions) {
     page += quoted(text);
   }

@@ -141,7 +141,8 @@ class SliderQuestion final : public Question {
     for (const SliderScale& scale : scales_) {
       all += std::string(all.empty() ? "" : "; or ") + "“" + words(scale.question) + "” from " +
              std::to_string(scale.minimum) + " (" + words(scale.words.front()) + ") to " +
-             std::to_string(scale.maximum) + " (" + words(scale.words.back()) + ")";
+             std::to_string(scale.maximum) + " (" + words(scale.words.back()) + ")" +
+             (scale.when.empty() ? "" : " where " + words(condition_words(scale.when)));
     }
     return all;
   }

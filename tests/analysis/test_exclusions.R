@@ -84,26 +84,29 @@ test_that("catch trials are in no mean and are reported apart, even at a level o
   expect_equal(nrow(with_catch$catch), 2)
   expect_equal(catch_sentence(with_catch), "2 catch trials are reported apart and are in no test.")
   expect_match(paste(catch_lines(with_catch), collapse = " "),
-    "\"delay_ms\":2000.*\\| 1 \\| 1 \\| 3.00 \\| 3 to 3 \\|")
+    "delay \\(ms\\) 2000.*\\| 1 \\| 1 \\| 3.00 \\| 3 to 3 \\|")
 })
 
 test_that("catch trials of choices, marks and clicks are told by those, each in its own words", {
-  catch <- data.frame(condition = c("a", "a", "b"), participant = c("P01", "P02", "P01"),
+  trials <- causality_trials(seed = 206, participants = 1, repetitions = 1)
+  trials$delay_ms <- c(50, 50, 250, rep(0, nrow(trials) - 3))
+  path <- study_file(trials[setdiff(names(trials), c("speed_deg_s", "viewpoint_deg"))])
+  catch <- data.frame(condition = c("a", "a", "b"), participant = c("P01", "P02", "P01"), trial = 1:3,
     answer = c("4", "6", "none"), correct = c(1, 0, NA), positive = NA, clicks = c(0, 3, 2))
   last <- function(study, rows = 3) expect_no_warning(
-    catch_lines(c(list(catch = catch[seq_len(rows), ]), study))[-c(1, 2, 4)])
+    catch_lines(c(list(catch = catch[seq_len(rows), ], path = path), study))[-c(1, 2, 4)])
   expect_equal(last(list(response = "answer", kind = "right choice")), c(
     "| condition | trials | participants | share of right answers | range |",
-    "| `a` | 2 | 2 | 0.50 | 0 to 1 |", "| `b` | 1 | 1 | – | – |"))
+    "| delay (ms) 50 | 2 | 2 | 0.50 | 0 to 1 |", "| delay (ms) 250 | 1 | 1 | – | – |"))
   expect_equal(last(list(response = "answer", kind = "choice none", option = "none")), c(
     "| condition | trials | participants | share of “none” | range |",
-    "| `a` | 2 | 2 | 0.00 | 0 to 0 |", "| `b` | 1 | 1 | 1.00 | 1 to 1 |"))
+    "| delay (ms) 50 | 2 | 2 | 0.00 | 0 to 0 |", "| delay (ms) 250 | 1 | 1 | 1.00 | 1 to 1 |"))
   expect_equal(last(list(response = "mark"), 2), c(
-    "| condition | trials | participants | mean mark | range |", "| `a` | 2 | 2 | 5.00 | 4 to 6 |"))
+    "| condition | trials | participants | mean mark | range |", "| delay (ms) 50 | 2 | 2 | 5.00 | 4 to 6 |"))
   for (response in c("clicks", "press")) {
     expect_equal(last(list(response = response)), c(
       "| condition | trials | participants | mean clicks | range |",
-      "| `a` | 2 | 2 | 1.50 | 0 to 3 |", "| `b` | 1 | 1 | 2.00 | 2 to 2 |"))
+      "| delay (ms) 50 | 2 | 2 | 1.50 | 0 to 3 |", "| delay (ms) 250 | 1 | 1 | 2.00 | 2 to 2 |"))
   }
 })
 

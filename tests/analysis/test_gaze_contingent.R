@@ -119,6 +119,22 @@ test_that("rates of two stimuli are those of the time that both were shown", {
     "A trial has two stimuli, so clicks are not regressed on collisions.")
 })
 
+test_that("collisions of a trial's standard are not among the condition's", {
+  path <- two_stimuli_file()
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "DELETE FROM collision_truth")
+  DBI::dbExecute(study, "DELETE FROM collision")
+  add_collisions(path, data.frame(trial = c(1, 1, 2, 2), step = 1:4, level = c(3, 0, 0, 3)))
+  DBI::dbExecute(study, "UPDATE collision SET interval = 2 WHERE step IN (2, 4)")
+  DBI::dbExecute(study, "UPDATE response SET detail =
+    json_object('test_interval', CAST(attempt_id AS REAL))")
+  DBI::dbDisconnect(study)
+  collisions <- analysed_collisions(as_reported(path), "gaze-contingent")
+  expect_equal(collisions$level, c(3, 3))
+  expect_match(paste(shown_sentences(as_reported(path), "gaze-contingent", collisions), collapse = " "),
+    "2 collisions in 2 main trials. .* Of a trial's two stimuli these are of the one that had")
+})
+
 test_that("of a file that does not tell the samples of two stimuli apart they are counted by trial", {
   path <- two_stimuli_file()
   study <- DBI::dbConnect(RSQLite::SQLite(), path)

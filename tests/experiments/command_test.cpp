@@ -88,8 +88,7 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
        "--show: expected --observer NAME with it"},
       {{"run", causality_file(), "--db", "a.sqlite", "--participant", "P01", "--observer",
         "nobody"},
-       "--observer nobody: expected a file, or the name of one in " + source_folder() +
-           "/experiments/observers"}};
+       "--observer nobody: expected a file, or a name that `impetus observers` lists"}};
   for (const auto& [arguments, sentence] : cases) {
     expect_refused_without_a_file(folder, arguments, sentence);
   }

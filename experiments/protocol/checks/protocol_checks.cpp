@@ -216,6 +216,12 @@ const char* type_words(const LevelValue& level) {
 void check_condition(
     const Protocol& protocol, const std::string& place, const Condition& condition,
     const std::function<void(const Factor& factor, const FactorLevel& level)>& check) {
+  for (const FactorLevel& level : condition) {
+    if (find_factor(protocol.design, level.factor) == nullptr) {
+      refuse(protocol.document, place,
+             "expected only factors of the design, got " + json_text(level.factor));
+    }
+  }
   for (const Factor& factor : protocol.design.factors) {
     const auto level = std::find_if(condition.begin(), condition.end(),
                                     [&](const auto& one) { return one.factor == factor.name; });
@@ -232,12 +238,6 @@ void check_condition(
              "expected a level for every factor, but \"" + factor.name + "\" has none");
     }
     check(factor, *level);
-  }
-  for (const FactorLevel& level : condition) {
-    if (find_factor(protocol.design, level.factor) == nullptr) {
-      refuse(protocol.document, place,
-             "expected only factors of the design, got " + json_text(level.factor));
-    }
   }
 }
 

@@ -84,11 +84,14 @@ TEST(BidsExport, HasAnEventForEveryStimulusAnswerClickAndCollision) {
   const Dataset dataset(exported() / "out");
   SQLite::Database study(WholeStudy::once().file().string(), SQLite::OPEN_READONLY);
   std::map<std::string, int> events;
+  int tests = 0;
   for (const std::string& file : dataset.files()) {
     if (file.ends_with("_events.tsv")) {
       const Table table = dataset.table(file);
       for (std::size_t row = 0; row < table.rows.size(); ++row) {
         ++events[table.at(row, "trial_type")];
+        tests += table.at(row, "trial_type") == "stimulus" &&
+                 table.at(row, "interval") == table.at(row, "test_interval");
       }
     }
   }
@@ -97,6 +100,7 @@ TEST(BidsExport, HasAnEventForEveryStimulusAnswerClickAndCollision) {
   };
   EXPECT_EQ(events["rating"], count("rating"));
   EXPECT_EQ(events["two_interval"], count("response WHERE kind = 'two_interval'"));
+  EXPECT_EQ(tests, count("response WHERE kind = 'two_interval'"));
   EXPECT_EQ(events["click"], count("click"));
   EXPECT_EQ(events["collision"], count("collision"));
   EXPECT_EQ(events["stimulus"], count("attempt") + count("response WHERE kind = 'two_interval'"));

@@ -78,11 +78,10 @@ TEST(ObserverFile, AnswersOnOnePointMoreThanItHasCuts) {
   }
 }
 
-TEST(ObserverFile, AnUnknownNameIsRefusedWithTheFolderThatWasSearched) {
+TEST(ObserverFile, AnUnknownNameIsRefusedWithWhatListsThem) {
   const TemporaryFolder folder;
   EXPECT_EQ(refusal([&] { load_observer("nobody", folder / "protocols/a.json"); }),
-            "--observer nobody: expected a file, or the name of one in " +
-                (folder / "experiments/observers").string());
+            "--observer nobody: expected a file, or a name that `impetus observers` lists");
 }
 
 // ---------------------------------------------------------------- the screen's file
