@@ -57,41 +57,28 @@ const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
   return memory_.report;
 }
 
-void World::set_response(ResponseMethod response) {
+template <typename Value>
+void World::change(Value WorldSettings::*setting, Value value) {
   WorldSettings changed = settings_;
-  changed.response = response;
-  change_settings(std::move(changed));
-}
-
-void World::set_schedule(Schedule schedule) {
-  WorldSettings changed = settings_;
-  changed.schedule = std::move(schedule);
-  change_settings(std::move(changed));
-}
-
-void World::set_contacts(ContactModel contacts) {
-  WorldSettings changed = settings_;
-  changed.contacts = std::move(contacts);
-  change_settings(std::move(changed));
-}
-
-void World::set_costs(const WorkCosts& costs) {
-  WorldSettings changed = settings_;
-  changed.costs = costs;
-  change_settings(std::move(changed));
-}
-
-void World::set_recording_format(int format) {
-  WorldSettings changed = settings_;
-  changed.recording_format = format;
-  change_settings(std::move(changed));
-}
-
-void World::change_settings(WorldSettings changed) {
+  changed.*setting = std::move(value);
   const std::string problem = problem_of(changed);
   require(problem.empty(), problem.c_str());
   settings_ = std::move(changed);
 }
+
+void World::set_response(ResponseMethod response) { change(&WorldSettings::response, response); }
+
+void World::set_schedule(Schedule schedule) {
+  change(&WorldSettings::schedule, std::move(schedule));
+}
+
+void World::set_contacts(ContactModel contacts) {
+  change(&WorldSettings::contacts, std::move(contacts));
+}
+
+void World::set_costs(const WorkCosts& costs) { change(&WorldSettings::costs, costs); }
+
+void World::set_recording_format(int format) { change(&WorldSettings::recording_format, format); }
 
 double World::kinetic_energy_J() const { return kinetic_energy(models(), states()); }
 

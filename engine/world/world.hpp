@@ -79,7 +79,9 @@ class World {
   [[nodiscard]] std::span<BodyState> mutable_states() { return state_.states; }
 
  private:
-  void change_settings(WorldSettings changed);
+  /// Throws std::invalid_argument, changing nothing, where the settings do not go together then.
+  template <typename Value>
+  void change(Value WorldSettings::*setting, Value value);
 
   WorldSettings settings_;
   WorldState state_;

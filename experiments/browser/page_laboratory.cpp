@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/browser/the_page.hpp"
+#include "experiments/record/lab_screen.hpp"
 #include "experiments/settings/optional_json.hpp"
 
 namespace impetus::inline browser {
@@ -197,7 +198,7 @@ void PageLaboratory::take_what_happened() {
     clicks_.push_back({click[0].get<std::string>(), ns_of(click[1]), ns_of(click[2])});
   }
   for (const json& move : events.at("moves")) {
-    pointer_ = on_glass(move[1].get<double>(), move[2].get<double>());
+    pointer_ = on_glass(screen_, move[1].get<double>(), move[2].get<double>());
     samples_.push_back({ns_of(move[0]), pointer_, GazeLoss::kNone});
   }
   if (events.at("away").get<bool>()) {
@@ -207,12 +208,6 @@ void PageLaboratory::take_what_happened() {
     hand_over(line_of(NoteRecord{absence[0].get<std::string>(), absence[1].get<std::string>()}));
   }
   pause_requested_ = pause_requested_ || events.at("pause").get<bool>();
-}
-
-ScreenPoint PageLaboratory::on_glass(double x_px, double y_px) const {
-  // Pixel centres; y of the screen points up.
-  return {((x_px + 0.5) / screen_.width_px - 0.5) * screen_.width_m,
-          (0.5 - (y_px + 0.5) / screen_.height_px) * screen_.height_m};
 }
 
 void PageRecorder::save(AttemptRecord attempt) { keep(std::move(attempt)); }

@@ -49,7 +49,6 @@ class PageLaboratory final : public Display, public Input, public Gaze {
 
  private:
   void take_what_happened();
-  [[nodiscard]] ScreenPoint on_glass(double x_px, double y_px) const;
 
   ScreenGeometry screen_;
   const Clock& clock_;

@@ -81,10 +81,9 @@ void print_exposure(const Protocol& protocol, const Plan& plan) {
 
 /// "click during the stimulus, rating after the stimulus"
 std::string response_list(const Script& script) {
-  std::string text;
-  for (const auto& question : script.asked) {
-    text += (text.empty() ? "" : ", ") + question->kind().name + " " + question->kind().when;
-  }
+  const std::string text = listed(script.asked, [](const auto& question) {
+    return question->kind().name + " " + question->kind().when;
+  });
   return script.gaze ? text + "; the gaze is followed" : text;
 }
 

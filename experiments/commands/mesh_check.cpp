@@ -31,13 +31,12 @@ int check(const std::vector<std::string>& files) {
 }  // namespace
 
 void add_mesh(CLI::App& app, Command& chosen) {
-  auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* mesh = app.add_subcommand("mesh", "Look at triangle meshes");
   mesh->require_subcommand(1);
-  CLI::App* command = mesh->add_subcommand(
-      "check", "Can it be simulated? Its defects, volume and inertia; 1 when it cannot");
+  const auto [command, files] = add_command<std::vector<std::string>>(
+      *mesh, chosen, check, "check",
+      "Can it be simulated? Its defects, volume and inertia; 1 when it cannot");
   command->add_option("files", *files, "OBJ, PLY, STL, OFF or glTF")->required();
-  command->callback([files, &chosen] { chosen = [files] { return check(*files); }; });
 }
 
 }  // namespace impetus::inline commands

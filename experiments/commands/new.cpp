@@ -184,12 +184,8 @@ class Dialog {
   void choose_question() {
     const std::vector<OfferedQuestion> offered =
         offered_questions(choices_.study_template, choices_.language);
-    std::vector<std::string> names;
-    for (const OfferedQuestion& each : offered) {
-      names.push_back(each.name);
-    }
-    choose(options_.ask, "What is asked? " + listed(names), names.front(),
-           [this](const std::string& given) { choices_.ask = given; });
+    choose(options_.ask, "What is asked? " + listed(offered, &OfferedQuestion::name),
+           offered.front().name, [this](const std::string& given) { choices_.ask = given; });
     choices_.question = options_.question;
     choices_.levels = options_.levels.empty() ? "all" : options_.levels;
     for (const OfferedQuestion& each : offered) {

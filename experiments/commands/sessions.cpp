@@ -20,10 +20,6 @@ namespace {
 using nlohmann::json;
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string count_of(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// "2026-11-22 10:04:12" of "2026-11-22T10:04:12.345Z".
 std::string moment(const std::string& utc) {
   std::string words = utc.substr(0, 19);
@@ -82,12 +78,13 @@ std::string title(const std::string& name, const SessionList& list) {
     (one.simulated ? simulated : people).insert(one.participant);
     protocols.insert(one.protocol_hash);
   }
-  std::string who = people.empty() ? "" : count_of(people.size(), "person", "people");
+  std::string who =
+      people.empty() ? "" : count_of(static_cast<std::int64_t>(people.size()), "person", "people");
   if (!simulated.empty()) {
     who += (who.empty() ? "" : ", ") + std::to_string(simulated.size()) + " simulated";
   }
-  return printable(name) + ": " + who + "; " + count_of(protocols.size(), "protocol", "protocols") +
-         "; times are UTC\n";
+  return printable(name) + ": " + who + "; " +
+         count_of(static_cast<std::int64_t>(protocols.size()), "protocol") + "; times are UTC\n";
 }
 
 bool has_groups(const SessionList& list) {

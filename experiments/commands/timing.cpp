@@ -15,7 +15,6 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"
-#include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/sentences.hpp"

@@ -106,8 +106,8 @@ int build(const BuildOptions& options) {
 }  // namespace
 
 void add_tree_build(CLI::App& tree, Command& chosen) {
-  auto options = std::make_shared<BuildOptions>();
-  CLI::App* command = tree.add_subcommand("build", "Build a tree and tell how good each level is");
+  const auto [command, options] = add_command<BuildOptions>(
+      tree, chosen, build, "build", "Build a tree and tell how good each level is");
   command
       ->add_option("what", options->what,
                    "A mesh file (OBJ, PLY, STL, OFF, glTF), or one of " + listed(shape_names()))
@@ -122,7 +122,6 @@ void add_tree_build(CLI::App& tree, Command& chosen) {
                       "Fineness of a sphere, torus, knot or creature, 4 to 12");
   command->add_option("-o,--out", options->out, "The tree file to write")->required();
   command->add_flag("--force", options->force, "Overwrite an existing file");
-  command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
 }
 
 }  // namespace impetus::inline commands

@@ -122,9 +122,8 @@ int show(const ShowOptions& options) {
 }  // namespace
 
 void add_tree_show(CLI::App& tree, Command& chosen) {
-  auto options = std::make_shared<ShowOptions>();
-  CLI::App* command =
-      tree.add_subcommand("show", "Show a tree's levels in a window, or as pictures");
+  const auto [command, options] = add_command<ShowOptions>(
+      tree, chosen, show, "show", "Show a tree's levels in a window, or as pictures");
   command->add_option("tree", options->file, "Tree file")->required();
   command->add_option("--level", options->level, "The level to show; the finest when left out");
   command->add_option("--colour", options->colour, "What colours mean: level, occupancy or group")
@@ -137,7 +136,6 @@ void add_tree_show(CLI::App& tree, Command& chosen) {
   command->add_option("--width", options->width_px, "Of a picture, or of each level's, in pixels");
   command->add_option("--height", options->height_px, "The same");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
-  command->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
 }
 
 void add_tree(CLI::App& app, Command& chosen) {

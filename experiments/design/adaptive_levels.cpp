@@ -14,14 +14,8 @@ std::size_t index_of(const std::vector<LevelValue>& levels, const LevelValue& le
   return static_cast<std::size_t>(found - levels.begin());
 }
 
-const FactorLevel* find(const std::vector<FactorLevel>& values, const std::string& name) {
-  const auto found = std::find_if(values.begin(), values.end(),
-                                  [&](const FactorLevel& one) { return one.factor == name; });
-  return found == values.end() ? nullptr : &*found;
-}
-
 std::string text_at(const std::vector<FactorLevel>& values, const std::string& name) {
-  const FactorLevel* value = find(values, name);
+  const FactorLevel* value = find_level(values, name);
   return value == nullptr ? "missing" : to_text(value->value);
 }
 

@@ -6,16 +6,6 @@
 #include "engine/numerics/random_stream.hpp"
 
 namespace impetus::inline design {
-namespace {
-
-const FactorLevel* find_level(const Condition& condition, const std::string& factor) {
-  const auto found = std::find_if(condition.begin(), condition.end(),
-                                  [&](const FactorLevel& level) { return level.factor == factor; });
-  return found == condition.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 std::vector<Condition> groups(const Design& design) {
   Design between;
   std::copy_if(design.factors.begin(), design.factors.end(), std::back_inserter(between.factors),

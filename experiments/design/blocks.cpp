@@ -39,20 +39,14 @@ std::vector<Condition> in_row(const std::vector<Condition>& blocks,
   return ordered;
 }
 
-bool belongs_to(const PlannedTrial& trial, const Condition& block) {
-  return std::all_of(block.begin(), block.end(), [&](const FactorLevel& level) {
-    return std::find(trial.condition.begin(), trial.condition.end(), level) !=
-           trial.condition.end();
-  });
-}
-
 bool has_blocks_alike(const Design& design) {
   return design.blocks && design.blocks->factors.empty();
 }
 
 std::size_t block_of_condition(const PlannedTrial& trial, const std::vector<Condition>& blocks) {
-  const auto block = std::find_if(blocks.begin(), blocks.end(),
-                                  [&](const Condition& one) { return belongs_to(trial, one); });
+  const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const Condition& one) {
+    return has_levels(trial.condition, one);
+  });
   return static_cast<std::size_t>(block - blocks.begin());
 }
 
@@ -90,14 +84,7 @@ std::vector<Condition> block_order(const Design& design, const PlanKey& key) {
   if (has_blocks_alike(design)) {
     return std::vector<Condition>(static_cast<std::size_t>(design.blocks->count));
   }
-  Design of_blocks;
-  for (const Factor& factor : design.factors) {
-    const auto& names = design.blocks->factors;
-    if (std::find(names.begin(), names.end(), factor.name) != names.end()) {
-      of_blocks.factors.push_back(factor);
-    }
-  }
-  std::vector<Condition> blocks = cells(of_blocks);
+  std::vector<Condition> blocks = cells_of(design, design.blocks->factors);
   if (design.blocks->order == Blocks::Order::kRandom) {
     RandomStream stream(key.seed, "blocks/" + key.protocol + "/" + key.participant);
     stream.shuffle(blocks);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "experiments/settings/input_error.hpp"
 #include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline design {
@@ -47,6 +48,12 @@ bool has_levels(const Condition& condition, const Condition& levels) {
   });
 }
 
+const FactorLevel* find_level(const Condition& condition, const std::string& factor) {
+  const auto found = std::find_if(condition.begin(), condition.end(),
+                                  [&](const FactorLevel& level) { return level.factor == factor; });
+  return found == condition.end() ? nullptr : &*found;
+}
+
 std::vector<double> numbers(const std::vector<LevelValue>& levels) {
   std::vector<double> numbers;
   numbers.reserve(levels.size());
@@ -54,6 +61,16 @@ std::vector<double> numbers(const std::vector<LevelValue>& levels) {
     numbers.push_back(std::get<double>(level));
   }
   return numbers;
+}
+
+std::vector<Condition> cells_of(const Design& design, const std::vector<std::string>& factors) {
+  Design part;
+  for (const Factor& factor : design.factors) {
+    if (std::find(factors.begin(), factors.end(), factor.name) != factors.end()) {
+      part.factors.push_back(factor);
+    }
+  }
+  return cells(part);
 }
 
 std::vector<Condition> cells(const Design& design) {
@@ -82,11 +99,8 @@ std::string to_text(const LevelValue& value) {
 }
 
 std::string condition_words(const Condition& condition) {
-  std::string text;
-  for (const FactorLevel& level : condition) {
-    text += (text.empty() ? "" : ", ") + level.factor + " " + to_text(level.value);
-  }
-  return text;
+  return listed(condition,
+                [](const FactorLevel& level) { return level.factor + " " + to_text(level.value); });
 }
 
 }  // namespace impetus::inline design

@@ -123,6 +123,8 @@ const Factor* find_factor(const Design& design, const std::string& name);
 
 /// Every cell of the design, the last factor varying fastest.
 std::vector<Condition> cells(const Design& design);
+/// The same of these factors alone.
+std::vector<Condition> cells_of(const Design& design, const std::vector<std::string>& factors);
 
 /// What is shown beside the cells and practice, and where a protocol says it, as a JSON Pointer.
 struct ConditionBeside {
@@ -138,6 +140,9 @@ bool has_levels(const Condition& condition, const Condition& levels);
 bool has_level(const Factor& factor, const LevelValue& level);
 
 /// Levels that are all numbers.
+/// The condition's level of this factor; null where it has none.
+const FactorLevel* find_level(const Condition& condition, const std::string& factor);
+
 std::vector<double> numbers(const std::vector<LevelValue>& levels);
 
 /// "5", "0.5", "tracked", "true": a level as it is printed and stored.

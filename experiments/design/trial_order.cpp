@@ -11,12 +11,6 @@
 namespace impetus::inline design {
 namespace {
 
-const LevelValue& level_of(const PlannedTrial& trial, const std::string& factor) {
-  return std::find_if(trial.condition.begin(), trial.condition.end(),
-                      [&](const FactorLevel& level) { return level.factor == factor; })
-      ->value;
-}
-
 /// How long the run of equal levels is that a rule watches.
 class RunningRun {
  public:
@@ -24,7 +18,7 @@ class RunningRun {
 
   /// Goes on with the run or begins another; false when it has become too long.
   bool take(const PlannedTrial& next) {
-    const LevelValue& level = level_of(next, rule_->factor);
+    const LevelValue& level = find_level(next.condition, rule_->factor)->value;
     length_ = last_ != nullptr && *last_ == level ? length_ + 1 : 1;
     last_ = &level;
     return length_ <= rule_->longest;
@@ -79,7 +73,7 @@ class RuleTally {
 
  private:
   std::size_t code(const PlannedTrial& trial) {
-    const LevelValue& level = level_of(trial, rule_->factor);
+    const LevelValue& level = find_level(trial.condition, rule_->factor)->value;
     const auto known = std::find(levels_.begin(), levels_.end(), level);
     const auto index = static_cast<std::size_t>(known - levels_.begin());
     if (known == levels_.end()) {

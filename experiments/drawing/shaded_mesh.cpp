@@ -4,37 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
+#include "engine/numerics/disjoint_sets.hpp"
 #include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline drawing {
 namespace {
-
-/// Sets of corners; corner 3t+k is the k-th of triangle t.
-class Groups {
- public:
-  explicit Groups(std::size_t corners) : above_(corners) {
-    std::iota(above_.begin(), above_.end(), 0U);
-  }
-  std::uint32_t of(std::uint32_t corner) {
-    while (above_[corner] != corner) {
-      above_[corner] = above_[above_[corner]];
-      corner = above_[corner];
-    }
-    return corner;
-  }
-  void join(std::uint32_t one, std::uint32_t other) {
-    const std::uint32_t a = of(one);
-    const std::uint32_t b = of(other);
-    above_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> above_;
-};
 
 Vector3 unit_or_zero(const Vector3& v) {
   const double length = v.norm();
@@ -60,13 +37,14 @@ double corner_angle(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
+/// Sets of corners, of which 3t + k is the k-th of triangle t.
 /// Takes the triangles one after the other: across each edge, a triangle's two corners join those
 /// of the triangle that had the edge before, where the normals of the two are near each other.
-Groups groups_across_soft_edges(const TriangleMesh& mesh, const std::vector<Vector3>& normals,
-                                double hard_edge_deg) {
+DisjointSets groups_across_soft_edges(const TriangleMesh& mesh, const std::vector<Vector3>& normals,
+                                      double hard_edge_deg) {
   /// A triangle's corners at the two vertices of an edge, that of the lower vertex first.
   using Side = std::array<std::uint32_t, 2>;
-  Groups groups(3 * mesh.triangles.size());
+  DisjointSets groups(3 * mesh.triangles.size());
   const double least_cosine = sine_cosine_deg(hard_edge_deg).cosine;
   std::unordered_map<std::uint64_t, Side> last_of_edge;
   last_of_edge.reserve(2 * mesh.triangles.size());
@@ -99,17 +77,17 @@ std::array<float, 3> as_floats(const Vector3& v) {
 
 ShadedMesh shaded_mesh(const TriangleMesh& mesh, double hard_edge_deg) {
   const std::vector<Vector3> normals = face_normals(mesh);
-  Groups groups = groups_across_soft_edges(mesh, normals, hard_edge_deg);
+  DisjointSets groups = groups_across_soft_edges(mesh, normals, hard_edge_deg);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   std::vector<Vector3> sums(corners, Vector3::Zero());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
     const std::size_t t = corner / 3;
-    sums[groups.of(corner)] += corner_angle(mesh, mesh.triangles[t], corner % 3) * normals[t];
+    sums[groups.name_of(corner)] += corner_angle(mesh, mesh.triangles[t], corner % 3) * normals[t];
   }
   ShadedMesh result;
   std::vector<std::uint32_t> vertex_of(corners);
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
-    const std::uint32_t group = groups.of(corner);
+    const std::size_t group = groups.name_of(corner);
     if (group == corner) {  // the lowest of its group comes first
       vertex_of[corner] = static_cast<std::uint32_t>(result.vertices.size());
       const Vector3& position = mesh.vertices[mesh.triangles[corner / 3][corner % 3]];

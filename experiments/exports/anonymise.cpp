@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/exports/anonymise.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
-#include <SQLiteCpp/VariadicBind.h>
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "experiments/exports/row_query.hpp"
 #include "experiments/questions/response_kinds.hpp"
+#include "experiments/store/rows.hpp"
 #include "experiments/store/schema_words.hpp"
 
 namespace impetus::inline exports {
@@ -96,9 +95,8 @@ void rename_in_protocols(SQLite::Database& study, const std::map<std::string, st
     changed.push_back({query.integer(0), text, hash(text, query.text(2))});
   }
   for (const Changed& each : changed) {
-    SQLite::Statement update(study, "UPDATE protocol SET protocol_json = ?, hash = ? WHERE id = ?");
-    SQLite::bind(update, each.protocol, each.hash, each.id);
-    update.exec();
+    execute(study, "UPDATE protocol SET protocol_json = ?, hash = ? WHERE id = ?", each.protocol,
+            each.hash, each.id);
   }
 }
 
@@ -214,9 +212,7 @@ void anonymise(SQLite::Database& study, const std::string& build, const Protocol
   take_out_what_was_typed(study);
   shift_days(study);
   shift_clocks(study);
-  SQLite::Statement flag(study, "UPDATE study SET anonymised_by = ?");
-  flag.bind(1, build);
-  flag.exec();
+  execute(study, "UPDATE study SET anonymised_by = ?", build);
   transaction.commit();
 }
 

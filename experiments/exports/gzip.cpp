@@ -37,4 +37,8 @@ std::string gzip(std::string_view bytes) {
   return result;
 }
 
+std::uint32_t crc32_of(std::span<const std::uint8_t> bytes) {
+  return static_cast<std::uint32_t>(::crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
+}
+
 }  // namespace impetus::inline exports

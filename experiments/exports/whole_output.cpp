@@ -20,18 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_free(const fs::path& target, const FolderCheck& check) {
-  if (!fs::exists(target)) {
-    return;
-  }
-  if (!fs::is_directory(target)) {
-    throw InputError("--out: expected a folder, but " + target.string() + " is a file");
-  }
-  if (!fs::is_empty(target)) {
-    check(target);
-  }
-}
-
 fs::path without_last_slash(const fs::path& path) {
   const fs::path whole = fs::weakly_canonical(fs::absolute(path));
   return whole.has_filename() ? whole : whole.parent_path();
@@ -39,7 +27,7 @@ fs::path without_last_slash(const fs::path& path) {
 
 fs::path free_target(const fs::path& asked, const FolderCheck& check) {
   fs::path target = without_last_slash(asked);
-  require_free(target, check);
+  require_free_folder(target, check);
   return target;
 }
 
@@ -71,6 +59,18 @@ void require_earlier_copy(StudyFile& study, const fs::path& target) {
 }
 
 }  // namespace
+
+void require_free_folder(const fs::path& target, const FolderCheck& check) {
+  if (!fs::exists(target)) {
+    return;
+  }
+  if (!fs::is_directory(target)) {
+    throw InputError("--out: expected a folder, but " + target.string() + " is a file");
+  }
+  if (!fs::is_empty(target)) {
+    check(target);
+  }
+}
 
 OutputFile::OutputFile(const std::filesystem::path& path)
     : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
@@ -167,7 +167,7 @@ WholeFolder::~WholeFolder() {
 }
 
 void WholeFolder::put_in_place() {
-  require_free(target_, check_);  // the work may have taken hours
+  require_free_folder(target_, check_);  // the work may have taken hours
   std::error_code error;
   const fs::path old = path().string() + ".old";
   const bool replaces = fs::exists(target_) && !fs::is_empty(target_);
@@ -211,9 +211,7 @@ void require_free_file(StudyFile& study, const fs::path& target, bool replace) {
 void write_study_copy(StudyFile& study, const fs::path& target) {
   WholeFile whole(target);
   try {
-    SQLite::Statement copy(study.database(), "VACUUM INTO ?");
-    copy.bind(1, whole.path().string());
-    copy.exec();
+    execute(study.database(), "VACUUM INTO ?", whole.path().string());
   } catch (const SQLite::Exception& error) {
     throw StoreError(target.string() + ": cannot be written (" + error.what() + ")");
   }

@@ -63,6 +63,9 @@ class WholeFile {
 /// wherever it holds what the command did not write (own_files.hpp).
 using FolderCheck = std::function<void(const std::filesystem::path&)>;
 
+/// Throws InputError where `target` is a file; where it holds files, what `check` throws.
+void require_free_folder(const std::filesystem::path& target, const FolderCheck& check);
+
 /// The folders above a target: those that were not there are made, and are gone again with this
 /// while nothing is in them.
 class ParentFolders {

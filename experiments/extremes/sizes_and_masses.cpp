@@ -200,14 +200,7 @@ std::vector<ExtremeScene> balls_far_away(Length /*length*/) {
 std::vector<ExtremeScene> blocks_far_away(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const TreeKind kind : all_tree_kinds()) {
-    ExtremeScene scene;
-    scene.bodies = {block({1.0, 0.6, 0.4}, {-0.9, 0.1, 0.0}, {1.0, 0.0, 0.0}),
-                    block({0.8, 0.8, 0.3}, {0.9, -0.1, 0.05}, {-1.0, 0.0, 0.0})};
-    scene.bodies[1].start.pose.orientation = Quaternion(1.0, 0.1, 0.4, 0.2).normalized();
-    for (ExtremeBody& body : scene.bodies) {
-      body.tree = kind;
-    }
-    scene.settings.rotation = Rotation::kEnergyKept;
+    ExtremeScene scene = blocks(1.0, kind);
     scene.name = ", " + name_of(kind);
     move_away(scene, 1e8);
     scenes.push_back(scene);

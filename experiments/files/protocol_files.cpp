@@ -42,10 +42,8 @@ MoreFiles files_of_design(const Protocol& protocol) {
       add(factor.pointer, level);
     }
     for (const Condition& condition : beside) {
-      for (const FactorLevel& level : condition) {
-        if (level.factor == factor.name) {
-          add(factor.pointer, level.value);
-        }
+      if (const FactorLevel* level = find_level(condition, factor.name)) {
+        add(factor.pointer, level->value);
       }
     }
   }

@@ -91,23 +91,16 @@ std::vector<QuestionResiduals> residuals(AnswerLikelihood& likelihood,
     expected.variance = squares - expected.mean * expected.mean;
     return expected;
   };
-  const Expected yes = [&](const AnsweredTrial& trial,
-                           const Traits& own) -> std::optional<Expectation> {
-    if (!trial.yes) {
-      return std::nullopt;
-    }
-    AnsweredTrial alone = asked_alone(trial);
-    alone.yes = true;
-    return of_two(likelihood.chance(alone, own), *trial.yes);
-  };
-  const Expected first = [&](const AnsweredTrial& trial,
-                             const Traits& own) -> std::optional<Expectation> {
-    if (!trial.first) {
-      return std::nullopt;
-    }
-    AnsweredTrial alone = asked_alone(trial);
-    alone.first = true;
-    return of_two(likelihood.chance(alone, own), *trial.first);
+  const auto one_of_two = [&](std::optional<bool> AnsweredTrial::*answer) -> Expected {
+    return [&likelihood, answer](const AnsweredTrial& trial,
+                                 const Traits& own) -> std::optional<Expectation> {
+      if (!(trial.*answer)) {
+        return std::nullopt;
+      }
+      AnsweredTrial alone = asked_alone(trial);
+      alone.*answer = true;
+      return of_two(likelihood.chance(alone, own), *(trial.*answer));
+    };
   };
   const Expected mark = [&](const AnsweredTrial& trial,
                             const Traits& own) -> std::optional<Expectation> {
@@ -133,8 +126,8 @@ std::vector<QuestionResiduals> residuals(AnswerLikelihood& likelihood,
   std::vector<QuestionResiduals> all;
   for (const auto& [question, expected] :
        {std::pair<std::string, Expected>{"rating, in steps from the scale's good end", rating},
-        {"share of yes", yes},
-        {"share of the first interval", first},
+        {"share of yes", one_of_two(&AnsweredTrial::yes)},
+        {"share of the first interval", one_of_two(&AnsweredTrial::first)},
         {"mark, as a share of the line", mark}}) {
     if (auto one = of_question(question, expected, people, traits, groups)) {
       all.push_back(std::move(*one));

@@ -16,22 +16,12 @@ using nlohmann::json;
 constexpr int kFormat = 1;
 
 json solved_json(const SolvedFor& solved) {
-  json values = json::object();
-  for (const SolvedValue& value : solved.values) {
-    values[value.pointer] = value.value;
-  }
-  return {{"condition", to_json(solved.condition)}, {"values", values}};
+  return {{"condition", to_json(solved.condition)}, {"values", solved_values_json(solved.values)}};
 }
 
 SolvedFor solved_from(const json& solved) {
-  SolvedFor result;
-  for (const auto& [factor, level] : solved.at("condition").items()) {
-    result.condition.push_back({factor, level_value(level)});
-  }
-  for (const auto& [pointer, value] : solved.at("values").items()) {
-    result.values.push_back({pointer, value.get<double>()});
-  }
-  return result;
+  return {condition_from_json(solved.at("condition")),
+          solved_values_from_json(solved.at("values"))};
 }
 
 }  // namespace

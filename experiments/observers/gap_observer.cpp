@@ -45,9 +45,6 @@ double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, doub
          (60.0 / visible_frequency_at(speed_deg_s));
 }
 
-namespace {
-
-/// Probability that a gap is seen.
 double seen_gap(const GapParameters& own, const Traits& traits, double visible_arcmin,
                 double eccentricity_deg, double speed_deg_s, double bodies) {
   if (visible_arcmin <= 0.0) {
@@ -61,6 +58,8 @@ double seen_gap(const GapParameters& own, const Traits& traits, double visible_a
   return own.guess_rate + (1.0 - own.guess_rate - own.miss_rate) *
                               normal_cdf(std::log10(visible_arcmin / threshold) / own.width_log10);
 }
+
+namespace {
 
 /// The number of bodies; then of each collision of two of them the gap (minutes of arc), its
 /// eccentricity (degrees), and how fast they closed in (degrees per second).

@@ -32,6 +32,10 @@ struct GapParameters : RatingParameters {
   double threshold_sd_log10{0.0};  ///< of t over participants
 };
 
+/// The probability that a gap of so many minutes of arc is seen, among so many bodies.
+double seen_gap(const GapParameters& own, const Traits& traits, double visible_arcmin,
+                double eccentricity_deg, double speed_deg_s, double bodies);
+
 /// The numbers that all who look for gaps have.
 std::vector<ParameterEntry> gap_entries(GapParameters& gap);
 

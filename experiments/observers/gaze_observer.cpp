@@ -143,20 +143,6 @@ std::shared_ptr<const RatingParameters> read_gaze(const JsonDocument& document) 
   return parameters;
 }
 
-/// Probability that a collision's gap is seen.
-double seen_gap_of(const GazeObserverParameters& own, double visible_arcmin,
-                   double eccentricity_deg, double speed_deg_s, double bodies) {
-  if (visible_arcmin <= 0.0) {
-    return 0.0;
-  }
-  const double crowd = std::max(0.0, bodies - 2.0);
-  const double threshold =
-      gap_threshold_arcmin(own.threshold_arcmin, eccentricity_deg, speed_deg_s) *
-      (1.0 + own.crowding_per_body * crowd);
-  return (1.0 - own.miss_rate) *
-         normal_cdf(std::log10(visible_arcmin / threshold) / own.width_log10);
-}
-
 /// Of the events that were seen as bad.
 double badness(const GazeObserverParameters& own, double events, double stimulus_s) {
   return 1.0 - std::exp(-events / std::max(stimulus_s, 1e-3) / own.events_per_s);
@@ -211,7 +197,7 @@ std::vector<PossibleEvent> possible_events(const GazeObserverParameters& own,
   for (std::size_t at = 2; at < percept.size(); at += 4) {
     const double at_s = percept[at];
     const double chance =
-        seen_gap_of(own, percept[at + 1], percept[at + 2], percept[at + 3], percept[1]);
+        seen_gap(own, {}, percept[at + 1], percept[at + 2], percept[at + 3], percept[1]);
     if (chance < kNegligible) {
       continue;
     }
@@ -277,8 +263,8 @@ GazeObserver::GazeObserver(const GazeObserverParameters& parameters, const Birth
 
 double GazeObserver::seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
                               std::size_t bodies) const {
-  return seen_gap_of(parameters_, visible_arcmin, eccentricity_deg, speed_deg_s,
-                     static_cast<double>(bodies));
+  return impetus::seen_gap(parameters_, {}, visible_arcmin, eccentricity_deg, speed_deg_s,
+                           static_cast<double>(bodies));
 }
 
 bool GazeObserver::sees(double draw, const CollisionRecord& collision,

@@ -19,17 +19,13 @@
 
 #include <utility>
 
-#include "experiments/observers/observer_kinds.hpp"
+#include "experiments/observers/gap_observer.hpp"
 #include "experiments/observers/simulated_eye.hpp"
 
 namespace impetus::inline observers {
 
 /// What a participant of the gaze-contingent study is made of, its eye included.
-struct GazeObserverParameters : RatingParameters, EyeParameters {
-  double threshold_arcmin{10.0};  ///< g₅₀ at the gaze, at rest, of two bodies
-  double width_log10{0.2};
-  double miss_rate{0.0};          ///< λ
-  double crowding_per_body{0.0};  ///< of g₅₀, for each body beyond two
+struct GazeObserverParameters : GapParameters, EyeParameters {
   double merge_ms{100.0};         ///< collisions closer than this are one event
   double click_median_ms{550.0};  ///< from event to click; lognormal
   double click_sigma_log{0.25};

@@ -242,10 +242,8 @@ std::optional<double> looked_at(const PsychometricParameters& own, const Attempt
       return truth.value(shown, scene);
     }
   }
-  for (const FactorLevel& level : scene.condition) {
-    if (level.factor == own.factor) {
-      return std::visit([&](const auto& value) { return number_of(own, value); }, level.value);
-    }
+  if (const FactorLevel* level = find_level(scene.condition, own.factor)) {
+    return std::visit([&](const auto& value) { return number_of(own, value); }, level->value);
   }
   return std::nullopt;
 }

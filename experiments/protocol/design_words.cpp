@@ -10,10 +10,6 @@
 namespace impetus::inline protocol {
 namespace {
 
-std::string count_of(std::int64_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 std::string cells_line(const Design& design) {
   if (design.adaptive) {
     const auto tracks = static_cast<std::int64_t>(adaptive_tracks(design).size());
@@ -32,7 +28,7 @@ std::string cells_line(const Design& design) {
          (within > 1    ? " cells, "
           : within == 1 ? (product == "1" ? " level, " : " levels, ")
                         : " cell, ") +
-         count_of(design.repetitions, "repetition", "repetitions") + " of each.";
+         count_of(design.repetitions, "repetition") + " of each.";
 }
 
 /// "" where all factors vary within participants.
@@ -98,7 +94,7 @@ std::string adaptive_line(const Adaptive& adaptive) {
 
 std::string practice_line(const Design& design) {
   const auto trials = static_cast<std::int64_t>(design.practice.size());
-  std::string line = "Practice: " + count_of(trials, "trial", "trials");
+  std::string line = "Practice: " + count_of(trials, "trial");
   if (design.most_practice_trials > 0) {
     line += ", again and again until it is learnt, at most " +
             std::to_string(design.most_practice_trials) + " in all";
@@ -110,22 +106,13 @@ std::string practice_line(const Design& design) {
 
 }  // namespace
 
-std::string level_list(const Factor& factor) {
-  std::string text;
-  for (const LevelValue& level : factor.levels) {
-    text += (text.empty() ? "" : ", ") + to_text(level);
-  }
-  return text;
-}
+std::string level_list(const Factor& factor) { return listed(factor.levels, to_text); }
 
 std::string changed_by(const Factor& factor) {
   if (!factor.keys_of.empty()) {
     return "keys of " + factor.keys_of;
   }
-  std::string pointers;
-  for (const std::string& pointer : overridden_by(factor)) {
-    pointers += (pointers.empty() ? "" : ", ") + pointer;
-  }
+  const std::string pointers = listed(overridden_by(factor));
   return pointers.empty() ? "nothing of the scene" : pointers;
 }
 
@@ -144,7 +131,7 @@ std::vector<std::string> design_lines(const Design& design,
                     rule.factor + "`.");
   }
   for (const CatchTrials& trials : design.catch_trials) {
-    lines.push_back(count_of(trials.count, "catch trial", "catch trials") +
+    lines.push_back(count_of(trials.count, "catch trial") +
                     (design.blocks ? " in each block" : "") +
                     ", outside the design: " + text_of(condition_words(trials.condition)) + ".");
   }
@@ -155,7 +142,7 @@ std::vector<std::string> design_lines(const Design& design,
     }
     const std::string where =
         stream.when.empty() ? "everywhere" : "where " + text_of(condition_words(stream.when));
-    lines.push_back("Adaptation " + where + ": " + count_of(stream.first, "trial", "trials") +
+    lines.push_back("Adaptation " + where + ": " + count_of(stream.first, "trial") +
                     " before the first of a block, " + std::to_string(stream.before_each) +
                     " before each other one, of which nothing is asked: " + text_of(conditions) +
                     ".");

@@ -145,11 +145,7 @@ OrderedJson adaptive_of(const OrderedJson& factor, LevelChoice choice, bool two_
 OrderedJson short_number(double number) { return number_of(std::round(number * 1e6) / 1e6); }
 
 std::string key_list(const OrderedJson& object) {
-  std::vector<std::string> keys;
-  for (const auto& each : object.items()) {
-    keys.push_back(each.key());
-  }
-  return listed(keys);
+  return listed(object.items(), [](const auto& each) { return each.key(); });
 }
 
 LevelChoice level_choice(const std::string& name) {

@@ -68,11 +68,8 @@ OrderedJson template_file(const std::string& name, const OrderedJson& shared) {
     }
     return *found;
   }
-  std::vector<std::string> names;
-  for (const StudyTemplate& each : study_templates()) {
-    names.push_back(each.name);
-  }
-  throw InputError("--template: expected one of " + listed(names) + ", got " + name);
+  throw InputError("--template: expected one of " +
+                   listed(study_templates(), &StudyTemplate::name) + ", got " + name);
 }
 
 /// What all studies share, in the words of a language that comes with the program; in English for

@@ -105,6 +105,16 @@ const Attention& attention_of(const ObserverFile& observer) {
   return own.words.empty() ? observer.kind->attention : own;
 }
 
+void require_fittable(const ObserverFile& observer) {
+  if (observer.kind->answers.percept == nullptr) {
+    auto fitted = observer_kinds();
+    std::erase_if(fitted, [](const ObserverKind& kind) { return kind.answers.percept == nullptr; });
+    const std::string names = listed(fitted, [](const ObserverKind& kind) { return kind.name; });
+    refuse(observer.document, "/observer",
+           "expected a kind that can be fitted (" + names + "), got " + observer.kind->name);
+  }
+}
+
 void check_observer(const Protocol& protocol, const ObserverFile& observer) {
   check_factor(protocol, observer);
   const RatingScale* scale = find_scale(protocol.script);

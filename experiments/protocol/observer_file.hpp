@@ -36,6 +36,10 @@ std::optional<ObserverFile> without_effect(const ObserverFile& observer,
 /// has an eye where the gaze is followed, and goes by a factor that is there. Throws InputError.
 void check_observer(const Protocol& protocol, const ObserverFile& observer);
 
+/// Throws InputError, naming the kinds that can, where the parameters of the observer's kind cannot
+/// be fitted.
+void require_fittable(const ObserverFile& observer);
+
 /// What the participant looks at: its own, or all of its kind do.
 const Attention& attention_of(const ObserverFile& observer);
 

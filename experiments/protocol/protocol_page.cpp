@@ -14,6 +14,7 @@
 #include "experiments/questions/question_order.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/scene.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
@@ -54,7 +55,7 @@ std::string summary(const Protocol& protocol, const Plan& plan) {
   const auto main = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
     return trial.phase == TrialPhase::kMain;
   });
-  std::string words = std::to_string(main) + (main == 1 ? " trial" : " trials");
+  std::string words = count_of(main, "trial");
   if (!protocol.has_participants) {
     return words +
            ", simulated without a display: nobody takes part. Everything below is read "

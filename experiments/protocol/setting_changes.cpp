@@ -87,14 +87,6 @@ bool holds(const std::string& pointer, const std::string& place) {
   return place == pointer || place.starts_with(pointer + "/");
 }
 
-std::string listed_keys() {
-  std::string text;
-  for (const SettingKey& key : setting_keys()) {
-    text += (text.empty() ? "" : ", ") + key.name;
-  }
-  return text;
-}
-
 [[noreturn]] void refuse_change(const std::string& given, const std::string& message) {
   throw InputError("--with " + given + ": " + message);
 }
@@ -195,7 +187,7 @@ SettingChange setting_change(const std::string& given) {
       return {given, known.pointer, value, known.put};
     }
   }
-  refuse_change(given, "expected one of the keys " + listed_keys() +
+  refuse_change(given, "expected one of the keys " + listed(setting_keys(), &SettingKey::name) +
                            ", or a JSON Pointer below /engine, got " + key);
 }
 

@@ -179,18 +179,6 @@ std::vector<SolvedValue> solve_equal_lists(const SolveTask& task, ShapeLibrary& 
                                      : " the best found parts them " + parted(pilot.share)));
 }
 
-/// Every combination of the levels of the factors that an entry is solved for.
-std::vector<Condition> conditions_of(const Protocol& protocol, const SolveEntry& entry) {
-  const std::vector<std::string>& names = entry.for_each;
-  Design part;
-  for (const Factor& factor : protocol.design.factors) {
-    if (std::find(names.begin(), names.end(), factor.name) != names.end()) {
-      part.factors.push_back(factor);
-    }
-  }
-  return cells(part);
-}
-
 std::vector<SolvedValue> solve_one(const SolveTask& task, ShapeLibrary& shapes,
                                    const Progress& progress) {
   return task.entry.kind == kEqualLists ? solve_equal_lists(task, shapes, progress)
@@ -233,7 +221,7 @@ std::vector<SolvedFor> solve(const Protocol& protocol, ShapeLibrary& shapes,
                              const Progress& progress) {
   std::vector<SolveTask> tasks;
   for (std::size_t i = 0; i < protocol.solve.size(); ++i) {
-    for (const Condition& condition : conditions_of(protocol, protocol.solve[i])) {
+    for (const Condition& condition : cells_of(protocol.design, protocol.solve[i].for_each)) {
       tasks.push_back({&protocol.document, item("/solve", i), protocol.solve[i], condition,
                        scene_under(protocol, condition)});
     }
@@ -266,24 +254,28 @@ void put_into_scene(const std::vector<SolvedValue>& values, json& scene) {
   }
 }
 
-std::string to_text(const std::vector<SolvedValue>& values) {
+json solved_values_json(const std::vector<SolvedValue>& values) {
   json object = json::object();
   for (const SolvedValue& value : values) {
     object[value.pointer] = value.value;
   }
-  return values.empty() ? "" : object.dump();
+  return object;
 }
 
-std::vector<SolvedValue> solved_values_from(const std::string& text) {
+std::vector<SolvedValue> solved_values_from_json(const json& object) {
   std::vector<SolvedValue> values;
-  if (text.empty()) {
-    return values;
-  }
-  const json object = json::parse(text);
   for (auto value = object.begin(); value != object.end(); ++value) {
     values.push_back({value.key(), value.value().get<double>()});
   }
   return values;
+}
+
+std::string to_text(const std::vector<SolvedValue>& values) {
+  return values.empty() ? "" : solved_values_json(values).dump();
+}
+
+std::vector<SolvedValue> solved_values_from(const std::string& text) {
+  return text.empty() ? std::vector<SolvedValue>{} : solved_values_from_json(json::parse(text));
 }
 
 }  // namespace impetus::inline protocol

@@ -52,7 +52,11 @@ void put_solved(const std::vector<SolvedFor>& solved, Plan& plan);
 /// The scene with the values put in.
 void put_into_scene(const std::vector<SolvedValue>& values, nlohmann::json& scene);
 
-/// {"/pointer": number} as text, "" for none; and back.
+/// {"/pointer": number}; and back.
+nlohmann::json solved_values_json(const std::vector<SolvedValue>& values);
+std::vector<SolvedValue> solved_values_from_json(const nlohmann::json& object);
+
+/// The same as text, "" for none.
 std::string to_text(const std::vector<SolvedValue>& values);
 std::vector<SolvedValue> solved_values_from(const std::string& text);
 

@@ -122,11 +122,7 @@ class ReplayOfPython {
                      (found->body.empty() ? "" : ", " + found->field + " of " + found->body) + why_;
   }
   [[nodiscard]] std::vector<std::string> bodies() const {
-    std::vector<std::string> names;
-    for (const DrawnBody& look : replay_.scene().looks) {
-      names.push_back(look.name);
-    }
-    return names;
+    return body_names(replay_.scene().world);
   }
   [[nodiscard]] std::size_t steps() const { return steps_.size(); }
 

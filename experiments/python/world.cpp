@@ -96,9 +96,7 @@ SphereRows spheres_of(const TreeOfPython& of, int level) {
 class WorldOfPython {
  public:
   WorldOfPython(StagedScene scene, std::uint64_t seed) : run_(std::move(scene), seed) {
-    for (const BodyModel& model : run_.world().models()) {
-      names_.push_back(model.name);
-    }
+    names_ = body_names(run_.world());
   }
 
   StepOfPython step(std::optional<std::pair<double, double>> looks_at_m,

@@ -83,16 +83,11 @@ class ChoiceQuestion final : public Question {
   [[nodiscard]] bool has_right_answer() const override { return right_factor_.has_value(); }
 
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
-    Page page;
-    page.layout = Page::Layout::kChoices;
-    page.response = kind().name;
-    page.title = question_;
+    Page page = page_of(kind(), Page::Layout::kChoices, question_, asked, timeout_ms_);
     for (const std::string& option : options_) {
       page.choices.push_back({option, std::to_string(page.choices.size() + 1)});
     }
     page.positive_choice = right_option(asked.trial.condition);
-    page.progress = asked.progress;
-    page.timeout_ms = timeout_ms_;
     return page;
   }
 

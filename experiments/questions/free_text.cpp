@@ -20,13 +20,9 @@ class FreeTextQuestion final : public Question {
   [[nodiscard]] const ResponseKind& kind() const override { return free_text_kind(); }
 
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
-    Page page;
-    page.layout = Page::Layout::kForm;
-    page.response = kind().name;
-    page.title = question_;
+    Page page = page_of(kind(), Page::Layout::kForm, question_, asked);
     page.fields = {{kind().name, "", Field::Kind::kText, {}, 0.0, 0.0}};
     page.choices = {{asked.progress.language.text("continue"), "enter"}};
-    page.progress = asked.progress;
     return page;
   }
 

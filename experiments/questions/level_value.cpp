@@ -29,13 +29,7 @@ Kind<LevelValue> own_level_kind() {
 }
 
 Kind<Condition> condition_kind() {
-  const auto read = [](const json& levels) {
-    Condition condition;
-    for (auto level = levels.begin(); level != levels.end(); ++level) {
-      condition.push_back({level.key(), level_value(level.value())});
-    }
-    return condition;
-  };
+  const auto read = [](const json& levels) { return condition_from_json(levels); };
   return defined("condition", Kind<Condition>{by_name_form(own_level_kind()), read},
                  "A level for every factor, by name.");
 }
@@ -54,6 +48,14 @@ json to_json(const Condition& condition) {
     object[level.factor] = to_json(level.value);
   }
   return object;
+}
+
+Condition condition_from_json(const json& object) {
+  Condition condition;
+  for (auto level = object.begin(); level != object.end(); ++level) {
+    condition.push_back({level.key(), level_value(level.value())});
+  }
+  return condition;
 }
 
 Condition condition_from_json(const json& object, const Design& design) {

@@ -24,7 +24,10 @@ Kind<Condition> condition_kind();
 nlohmann::json to_json(const LevelValue& value);
 nlohmann::json to_json(const Condition& condition);
 
-/// The condition back. It lacks what the object lacks: an adaptive level that is not chosen yet.
+/// All of its levels, in the order of the names.
+Condition condition_from_json(const nlohmann::json& object);
+/// In the order of the design's factors. It lacks what the object lacks: an adaptive level that is
+/// not chosen yet.
 Condition condition_from_json(const nlohmann::json& object, const Design& design);
 
 /// The levels as a file lists them, for messages.

@@ -59,15 +59,10 @@ void RatingQuestion::check_block(const JsonDocument& protocol) const {
 const ResponseKind& RatingQuestion::kind() const { return rating_kind(); }
 
 std::optional<Page> RatingQuestion::page(const AskedTrial& asked) const {
-  Page page;
-  page.layout = Page::Layout::kScale;
-  page.response = kind().name;
-  page.title = question_;
+  Page page = page_of(kind(), Page::Layout::kScale, question_, asked, timeout_ms_);
   page.low_anchor = scale_.low_anchor;
   page.high_anchor = scale_.high_anchor;
-  page.progress = asked.progress;
   page.best_choice = static_cast<std::size_t>(scale_.best - scale_.minimum);
-  page.timeout_ms = timeout_ms_;
   for (std::int64_t point = scale_.minimum; point <= scale_.maximum; ++point) {
     page.choices.push_back({std::to_string(point), std::to_string(point)});
   }

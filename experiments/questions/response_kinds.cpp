@@ -102,6 +102,17 @@ const ResponseRecord* response_to(const std::string& kind, const AttemptRecord& 
   return nullptr;
 }
 
+Page page_of(const ResponseKind& kind, Page::Layout layout, const std::string& question,
+             const AskedTrial& asked, double timeout_ms) {
+  Page page;
+  page.layout = layout;
+  page.response = kind.name;
+  page.title = question;
+  page.progress = asked.progress;
+  page.timeout_ms = timeout_ms;
+  return page;
+}
+
 ResponseRecord response_record(const std::string& kind, const std::string& question,
                                const Answer& answer) {
   ResponseRecord record;

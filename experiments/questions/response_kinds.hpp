@@ -195,6 +195,10 @@ std::optional<bool> counted_answer(const AttemptRecord& attempt);
 const ResponseRecord* response_to(const std::string& kind, const AttemptRecord& record);
 
 /// A record of the kind with what every kind records alike.
+/// The page of such a question, still without what is chosen or filled in. `timeout_ms`: 0: none.
+Page page_of(const ResponseKind& kind, Page::Layout layout, const std::string& question,
+             const AskedTrial& asked, double timeout_ms = 0.0);
+
 ResponseRecord response_record(const std::string& kind, const std::string& question,
                                const Answer& answer);
 

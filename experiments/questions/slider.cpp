@@ -28,12 +28,6 @@ struct SliderScale {
   std::int64_t maximum{100};
   std::vector<std::string> words;  ///< under the line, evenly spread from end to end
   Condition when;                  ///< the levels under which it is asked; none: always
-
-  [[nodiscard]] bool fits(const Condition& condition) const {
-    return std::all_of(when.begin(), when.end(), [&](const FactorLevel& level) {
-      return std::find(condition.begin(), condition.end(), level) != condition.end();
-    });
-  }
 };
 
 Kind<SliderScale> scale_kind() {
@@ -104,15 +98,10 @@ class SliderQuestion final : public Question {
     if (scale == nullptr) {
       return std::nullopt;
     }
-    Page page;
-    page.layout = Page::Layout::kForm;
-    page.response = kind().name;
-    page.title = scale->question;
+    Page page = page_of(kind(), Page::Layout::kForm, scale->question, asked, timeout_ms_);
     page.fields = {{kind().name, "", Field::Kind::kSlider, scale->words,
                     static_cast<double>(scale->minimum), static_cast<double>(scale->maximum)}};
     page.choices = {{asked.progress.language.text("continue"), "enter"}};
-    page.progress = asked.progress;
-    page.timeout_ms = timeout_ms_;
     return page;
   }
 
@@ -166,7 +155,7 @@ class SliderQuestion final : public Question {
 
   [[nodiscard]] const SliderScale* scale_for(const Condition& condition) const {
     const auto found = std::find_if(scales_.begin(), scales_.end(), [&](const SliderScale& scale) {
-      return scale.fits(condition);
+      return has_levels(condition, scale.when);
     });
     return found == scales_.end() ? nullptr : &*found;
   }

@@ -66,15 +66,10 @@ Condition TwoIntervalQuestion::standard(const Condition& condition) const {
 const ResponseKind& TwoIntervalQuestion::kind() const { return two_interval_kind(); }
 
 std::optional<Page> TwoIntervalQuestion::page(const AskedTrial& asked) const {
-  Page page;
-  page.layout = Page::Layout::kChoices;
-  page.response = kind().name;
-  page.title = question_;
+  Page page = page_of(kind(), Page::Layout::kChoices, question_, asked, timeout_ms_);
   const Language& language = asked.progress.language;
   page.choices = {{words(true, language), "1"}, {words(false, language), "2"}};
   page.positive_choice = static_cast<std::size_t>(asked.test_interval - 1);
-  page.progress = asked.progress;
-  page.timeout_ms = timeout_ms_;
   return page;
 }
 

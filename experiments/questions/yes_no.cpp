@@ -87,16 +87,11 @@ class YesNoQuestion final : public Question {
   }
 
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
-    Page page;
-    page.layout = Page::Layout::kChoices;
-    page.response = kind().name;
-    page.title = question_;
+    Page page = page_of(kind(), Page::Layout::kChoices, question_, asked, timeout_ms_);
     const Language& language = asked.progress.language;
     page.choices = {{words(true, language), language.text("yes_key")},
                     {words(false, language), language.text("no_key")}};
     page.positive_choice = kYes;
-    page.progress = asked.progress;
-    page.timeout_ms = timeout_ms_;
     return page;
   }
 

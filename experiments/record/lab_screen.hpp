@@ -57,4 +57,10 @@ struct PicturePixels {
 /// down as the whole screen: so it looks in a part of a window as it does over all of it.
 PicturePixels largest_picture(const ScreenGeometry& screen, double wide_px, double high_px);
 
+/// The middle of a pixel, counted from the left and from the top.
+inline ScreenPoint on_glass(const ScreenGeometry& screen, double x_px, double y_px) {
+  return {((x_px + 0.5) / screen.width_px - 0.5) * screen.width_m,
+          (0.5 - (y_px + 0.5) / screen.height_px) * screen.height_m};
+}
+
 }  // namespace impetus::inline record

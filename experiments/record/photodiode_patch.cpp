@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "experiments/settings/input_error.hpp"
+
 namespace impetus::inline record {
 namespace {
 
@@ -46,6 +48,15 @@ std::optional<ScreenCorner> corner_named(std::string name) {
     return std::nullopt;
   }
   return static_cast<ScreenCorner>(found - kCornerNames.begin());
+}
+
+ScreenCorner patch_corner(const std::string& option, const std::string& name) {
+  const auto corner = corner_named(name);
+  if (!corner) {
+    throw InputError(option + ": expected top left, top right, bottom left or bottom right, got " +
+                     name);
+  }
+  return *corner;
 }
 
 }  // namespace impetus::inline record

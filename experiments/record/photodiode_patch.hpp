@@ -50,4 +50,7 @@ const char* name_of(ScreenCorner corner);
 /// The corner of this name, hyphens being as good as blanks; none: there is none.
 std::optional<ScreenCorner> corner_named(std::string name);
 
+/// The same, as an option of the command line names it. Throws InputError, naming the option.
+ScreenCorner patch_corner(const std::string& option, const std::string& name);
+
 }  // namespace impetus::inline record

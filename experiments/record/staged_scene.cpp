@@ -16,6 +16,14 @@ Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s)
   return viewer;
 }
 
+std::vector<std::string> body_names(const World& world) {
+  std::vector<std::string> names;
+  for (const BodyModel& body : world.models()) {
+    names.push_back(body.name);
+  }
+  return names;
+}
+
 const std::shared_ptr<const TriangleMesh>& mesh_as_seen(
     const std::shared_ptr<const TriangleMesh>& mesh, const DrawnLevels* coarser,
     double px_per_metre) {

@@ -114,6 +114,9 @@ struct DrawnBody {
   }
 };
 
+/// Of the world's bodies, in its order.
+std::vector<std::string> body_names(const World& world);
+
 /// Where collisions are of high priority, for schedules by region.
 enum class RegionKind {
   kNone,      ///< the schedule is not by region
@@ -131,6 +134,8 @@ struct RegionRule {
   double radius_deg{0.0};
   std::int64_t renewal_steps{0};  ///< of kRandom: how long a place lasts
   ScreenPoint point{};            ///< of kFixed
+
+  friend bool operator==(const RegionRule&, const RegionRule&) = default;
 };
 
 /// A line that a body may cross, across the world's axis 0 (x) or 1 (y), which ends the stimulus

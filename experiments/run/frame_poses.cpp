@@ -6,10 +6,13 @@
 
 namespace impetus::inline run {
 
-std::int64_t last_shown_step(const StagedScene& scene, double time_s) {
-  // A frame that falls on a step needs no later one, whatever rounding made of its time.
+std::int64_t steps_until(double time_s, double step_hz) {
   constexpr double kOfAStep = 1e-9;
-  return static_cast<std::int64_t>(std::ceil(time_s * scene.step_hz - kOfAStep));
+  return static_cast<std::int64_t>(std::ceil(time_s * step_hz - kOfAStep));
+}
+
+std::int64_t last_shown_step(const StagedScene& scene, double time_s) {
+  return steps_until(time_s, scene.step_hz);
 }
 
 std::vector<Pose> shown_poses(const SceneRun& run, double time_s) {

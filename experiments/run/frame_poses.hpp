@@ -10,6 +10,10 @@
 
 namespace impetus::inline run {
 
+/// How many steps so long a time needs. What falls on a step needs no later one, whatever rounding
+/// made of its time.
+std::int64_t steps_until(double time_s, double step_hz);
+
 /// The last step that a frame at `time_s` from onset needs.
 std::int64_t last_shown_step(const StagedScene& scene, double time_s);
 

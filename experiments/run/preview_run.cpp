@@ -196,16 +196,10 @@ double PreviewRun::energy_share() const {
 
 Viewer PreviewRun::viewer() const { return scene().viewer_at_time(position_ / scene().step_hz); }
 
-std::vector<PosedBody> PreviewRun::bodies() const {
+Picture PreviewRun::picture() const {
   const double fraction = position_ - static_cast<double>(run_.number()) + 1.0;
-  const double time_s = position_ / scene().step_hz;
-  const std::vector<Pose> poses = run_.poses(std::clamp(fraction, 0.0, 1.0));
-  std::vector<PosedBody> bodies;
-  for (std::size_t body = 0; body < poses.size(); ++body) {
-    bodies.push_back({poses[body], scene().looks[body].at(time_s)});
-  }
-  flash(scene().flashing, position_ / scene().step_hz, bodies);
-  return bodies;
+  return picture_of(scene(), run_.poses(std::clamp(fraction, 0.0, 1.0)),
+                    position_ / scene().step_hz, {});
 }
 
 double PreviewRun::freshness(const ShownContact& contact) const {

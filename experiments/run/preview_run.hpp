@@ -88,8 +88,8 @@ class PreviewRun {
   [[nodiscard]] double step_ms() const { return step_ms_; }
 
   [[nodiscard]] Viewer viewer() const;
-  /// The bodies as they are now, poses between steps included.
-  [[nodiscard]] std::vector<PosedBody> bodies() const;
+  /// The scene as it is now, poses between steps included.
+  [[nodiscard]] Picture picture() const;
   /// The last step's, by list.
   [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return run_.world().pairs(); }
   /// What is still in view, oldest first.

@@ -28,9 +28,6 @@ SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const WorkClock* clock
       ends_s_(scene_.duration_s),
       before_(scene_.world.states()) {
   set_budget(scene_.budget);
-  if (scene_.goal) {
-    is_through_ = false;
-  }
 }
 
 void SceneRun::set_budget(const WorkBudget& budget) {
@@ -101,7 +98,7 @@ void SceneRun::watch_goal(const StepReport& report) {
     ends_s_ = std::min(ends_s_, now_s + goal.follow_s);
   };
   const BodyState& body = scene_.world.states()[goal.body];
-  if (!*is_through_ && goal.is_passed_at(body.pose.position)) {
+  if (!is_through_ && goal.is_passed_at(body.pose.position)) {
     is_through_ = true;
     end_soon();
   }

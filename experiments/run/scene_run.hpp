@@ -59,8 +59,6 @@ class SceneRun {
   [[nodiscard]] const World& world() const { return scene_.world; }
   [[nodiscard]] const StagedScene& scene() const { return scene_; }
 
-  /// Whether the body of the scene's goal is through; none without a goal.
-  [[nodiscard]] std::optional<bool> is_through() const { return is_through_; }
   /// When the stimulus ends, as far as is known now: when its time is over, or sooner by its goal.
   [[nodiscard]] double ends_s() const { return ends_s_; }
 
@@ -87,8 +85,8 @@ class SceneRun {
   std::optional<DeadlineWork> deadline_;  ///< of a budget in milliseconds, where there is a clock
   bool needs_clock_{false};
   std::int64_t number_{0};
-  StepReport stillness_;  ///< what a step reports in which the world takes none
-  std::optional<bool> is_through_;
+  StepReport stillness_;    ///< what a step reports in which the world takes none
+  bool is_through_{false};  ///< the body of the scene's goal, where it has one
   double ends_s_;
   StepInput input_;
   std::vector<BodyState> before_;

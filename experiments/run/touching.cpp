@@ -2,7 +2,8 @@
 #include "experiments/run/touching.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "experiments/run/frame_poses.hpp"
 
 namespace impetus::inline run {
 
@@ -13,9 +14,7 @@ StagedScene scene_at_onset(const StagedScene& scene) {
 }
 
 bool touch_by_the_end(const StagedScene& scene, const NamedPair& names) {
-  constexpr double kOfAStep = 1e-9;
-  const auto last =
-      static_cast<std::int64_t>(std::ceil(scene.whole_s() * scene.step_hz - kOfAStep));
+  const std::int64_t last = steps_until(scene.whole_s(), scene.step_hz);
   const std::vector<BodyModel>& models = scene.world.models();
   const auto name_of = [&](std::int32_t body) {
     return is_wall(body) ? std::string() : models[static_cast<std::size_t>(body)].name;

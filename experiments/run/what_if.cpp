@@ -14,11 +14,6 @@
 namespace impetus::inline run {
 namespace {
 
-bool same_rule(const RegionRule& one, const RegionRule& other) {
-  return one.kind == other.kind && one.radius_deg == other.radius_deg &&
-         one.renewal_steps == other.renewal_steps && one.point == other.point;
-}
-
 /// One of the two, as it goes.
 class Running {
  public:
@@ -77,7 +72,7 @@ std::optional<GazeRegion> region_now(const RegionRule& then, SceneRun& now,
                                      const StepRecord& recorded) {
   const RegionRule& rule = now.scene().region;
   const std::optional<GazeRegion> own = now.next_region(recorded.gaze.fixation);
-  if (same_rule(then, rule)) {
+  if (then == rule) {
     return recorded.gaze.region;
   }
   if (rule.kind == RegionKind::kRecorded && recorded.gaze.region) {

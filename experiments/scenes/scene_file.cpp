@@ -276,9 +276,7 @@ StartingOverlaps starting_overlaps_of(const Scene& scene, ShapeLibrary& library)
   }
   StartingOverlaps found;
   found.figures = world.settings().figures;
-  for (const BodyModel& model : world.models()) {
-    found.names.push_back(model.name);
-  }
+  found.names = body_names(world);
   found.pairs = overlapping_at_start(world, coarsest);
   for (const Figure& figure : found.figures) {
     std::erase_if(found.pairs, [&](const BodyPair& pair) {

@@ -21,10 +21,7 @@ LevelTally tally(const std::string& factor, const LevelValue& level,
                  const std::vector<PracticeResult>& round) {
   LevelTally tally;
   for (const PracticeResult& trial : round) {
-    const bool counts = std::any_of(
-        trial.condition.begin(), trial.condition.end(),
-        [&](const FactorLevel& at) { return at.factor == factor && at.value == level; });
-    if (counts) {
+    if (has_levels(trial.condition, {{factor, level}})) {
       tally.ratings += static_cast<double>(trial.rating.value_or(0));
       tally.rated += trial.rating ? 1 : 0;
       tally.clicks += trial.clicks;

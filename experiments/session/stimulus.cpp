@@ -45,9 +45,7 @@ Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Scrip
       follower_(follower),
       live_(staged(shown, ports), shown.seed, ports.work_clock) {
   record_.slot = shown.slot;
-  for (const BodyModel& body : scene().world.models()) {
-    record_.body_names.push_back(body.name);
-  }
+  record_.body_names = body_names(scene().world);
   record_.wall_naming = wall_naming(scene().world.settings().enclosure);
   record_.intended_hold_s = scene().intended_hold_s;
   record_.realised_hold_s = scene().realised_hold_s;

@@ -34,9 +34,7 @@ AttemptRecord run_trial(const PlannedTrial& trial, StagedScene scene, const Work
   AttemptRecord record;
   record.slot = trial.slot;
   record.outcome = AttemptOutcome::kCompleted;
-  for (const BodyModel& body : live.scene().world.models()) {
-    record.body_names.push_back(body.name);
-  }
+  record.body_names = body_names(live.scene().world);
   record.wall_naming = wall_naming(live.scene().world.settings().enclosure);
   record.intended_hold_s = live.scene().intended_hold_s;
   record.realised_hold_s = live.scene().realised_hold_s;

@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace impetus::inline settings {
 
@@ -14,11 +14,12 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "one, two, three": what was expected.
-inline std::string listed(const std::vector<std::string>& names) {
+/// "one, two, three": what `name` makes of each.
+template <typename Range, typename Name = std::identity>
+std::string listed(const Range& range, const Name& name = {}) {
   std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
+  for (const auto& each : range) {
+    text += (text.empty() ? "" : ", ") + std::string(std::invoke(name, each));
   }
   return text;
 }

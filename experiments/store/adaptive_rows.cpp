@@ -3,11 +3,9 @@
 
 #include <sqlite3.h>
 
-#include <algorithm>
-
+#include "experiments/questions/level_value.hpp"
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_file.hpp"
-#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -17,38 +15,7 @@ constexpr const char* kCountedAnswerSql =
     "(SELECT positive FROM response WHERE response.attempt_id = attempt.id "
     "AND positive IS NOT NULL ORDER BY response.number LIMIT 1)";
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') {
-      result += '\\';
-    }
-    if (static_cast<unsigned char>(letter) < 0x20) {
-      result += printed("\\u%04x", static_cast<unsigned>(letter));
-    } else {
-      result += letter;
-    }
-  }
-  return result + "\"";
-}
-
-std::string json_of(const LevelValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? quoted(*text) : to_text(value);
-}
-
 }  // namespace
-
-std::string named_values_json(const std::vector<FactorLevel>& values) {
-  std::vector<FactorLevel> sorted = values;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const FactorLevel& a, const FactorLevel& b) { return a.factor < b.factor; });
-  std::string text = "{";
-  for (const FactorLevel& value : sorted) {
-    text += (text.size() > 1 ? "," : "") + quoted(value.factor) + ":" + json_of(value.value);
-  }
-  return text + "}";
-}
 
 void update_chosen_level(SQLite::Database& database, std::int64_t trial_id,
                          const ChosenLevel& chosen) {
@@ -56,7 +23,7 @@ void update_chosen_level(SQLite::Database& database, std::int64_t trial_id,
       execute(database,
               "UPDATE trial SET condition = ?, adaptive_state = ? "
               "WHERE id = ? AND adaptive_state IS NULL",
-              named_values_json(chosen.condition), named_values_json(chosen.state), trial_id);
+              to_json(chosen.condition).dump(), to_json(chosen.state).dump(), trial_id);
   if (changed != 1) {
     throw SQLite::Exception("trial " + std::to_string(trial_id) + " has its level already",
                             SQLITE_CONSTRAINT);

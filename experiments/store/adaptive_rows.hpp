@@ -17,10 +17,6 @@ namespace impetus::inline store {
 
 class StudyFile;
 
-/// {"name": value, ...} as JSON text, names in alphabetical order; numbers read back as the same
-/// ones.
-std::string named_values_json(const std::vector<FactorLevel>& values);
-
 /// Completes a planned trial's condition by its chosen level. Throws SQLite::Exception when it has
 /// one already.
 void update_chosen_level(SQLite::Database& database, std::int64_t trial_id,

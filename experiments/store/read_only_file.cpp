@@ -44,13 +44,13 @@ std::filesystem::path journal_beside(const std::filesystem::path& path) {
   return beside(path, "-journal");
 }
 
+}  // namespace
+
 bool holds_anything(const std::filesystem::path& path) {
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(path, missing);
   return !missing && size > 0;
 }
-
-}  // namespace
 
 void require_files(const std::filesystem::path& path) {
   for (const std::filesystem::path& file : {path, log_beside(path), journal_beside(path)}) {

@@ -10,6 +10,9 @@
 
 namespace impetus::inline store {
 
+/// Whether the file is there and not empty.
+bool holds_anything(const std::filesystem::path& path);
+
 /// Throws InputError where the study, its log or its journal is something else than a file: a named
 /// pipe would be waited for. What is not there is no matter.
 void require_files(const std::filesystem::path& path);

@@ -12,6 +12,7 @@
 #include "experiments/store/migration.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/rows.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -138,9 +139,7 @@ std::int64_t rows_against(SQLite::Database& study, const std::string& table,
 }
 
 void add_damaged_pages_and_values(SQLite::Database& database, std::vector<std::string>& damage) {
-  SQLite::Statement query(database, "PRAGMA integrity_check");
-  while (query.executeStep()) {
-    const std::string found = query.getColumn(0).getString();
+  for (const std::string& found : load_column<std::string>(database, "PRAGMA integrity_check")) {
     if (found != "ok") {
       damage.push_back("SQLite's check of its integrity: " + found);
     }
@@ -148,14 +147,12 @@ void add_damaged_pages_and_values(SQLite::Database& database, std::vector<std::s
 }
 
 void add_broken_references(SQLite::Database& database, std::vector<std::string>& damage) {
-  SQLite::Statement query(database,
-                          "SELECT \"table\", parent, count(*) FROM pragma_foreign_key_check "
-                          "GROUP BY \"table\", parent, fkid");
-  while (query.executeStep()) {
-    const std::int64_t rows = query.getColumn(2).getInt64();
-    damage.push_back(std::to_string(rows) + (rows == 1 ? " row" : " rows") + " of " +
-                     query.getColumn(0).getString() + (rows == 1 ? " refers" : " refer") +
-                     " to a row of " + query.getColumn(1).getString() + " that is missing");
+  for (const auto& [table, parent, rows] : load_rows<std::string, std::string, std::int64_t>(
+           database,
+           "SELECT \"table\", parent, count(*) FROM pragma_foreign_key_check "
+           "GROUP BY \"table\", parent, fkid")) {
+    damage.push_back(count_of(rows, "row") + " of " + table + (rows == 1 ? " refers" : " refer") +
+                     " to a row of " + parent + " that is missing");
   }
 }
 
@@ -169,7 +166,7 @@ std::vector<std::string> forbidden_rows(SQLite::Database& study) {
     add_checks(sql, checks);
     for (const std::string& check : checks) {
       if (const std::int64_t rows = rows_against(study, table, check); rows > 0) {
-        broken.push_back(std::to_string(rows) + (rows == 1 ? " row" : " rows") + " of " + table +
+        broken.push_back(count_of(rows, "row") + " of " + table +
                          (rows == 1 ? " breaks " : " break ") + check);
       }
     }

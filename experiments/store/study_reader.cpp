@@ -109,21 +109,14 @@ std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id
       attempt_id, interval);
 }
 
-std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attempt_id,
-                                           std::int64_t interval) {
-  return load_value<std::int64_t>(
+std::optional<LastFrame> load_last_frame(StudyFile& study, std::int64_t attempt_id,
+                                         std::int64_t interval) {
+  const auto frames = load_as<LastFrame, std::int64_t, double>(
       study.database(),
-      "SELECT flipped_ns FROM frame WHERE attempt_id = ? AND interval = ? "
+      "SELECT flipped_ns, shown_time_s FROM frame WHERE attempt_id = ? AND interval = ? "
       "AND phase = 'stimulus' ORDER BY frame DESC LIMIT 1",
       attempt_id, interval);
-}
-
-std::optional<double> load_last_shown_time_s(StudyFile& study, std::int64_t attempt_id,
-                                             std::int64_t interval) {
-  return load_value<double>(study.database(),
-                            "SELECT shown_time_s FROM frame WHERE attempt_id = ? AND interval = ? "
-                            "AND phase = 'stimulus' ORDER BY frame DESC LIMIT 1",
-                            attempt_id, interval);
+  return frames.empty() ? std::nullopt : std::optional(frames.front());
 }
 
 std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id) {

@@ -59,13 +59,13 @@ std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,
 std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id,
                                        std::int64_t interval);
 
-/// When the last was.
-std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attempt_id,
-                                           std::int64_t interval);
-
-/// Of what stimulus time the last was (seconds).
-std::optional<double> load_last_shown_time_s(StudyFile& study, std::int64_t attempt_id,
-                                             std::int64_t interval);
+/// The last frame of an interval's stimulus.
+struct LastFrame {
+  std::int64_t flipped_ns{0};
+  double shown_time_s{0.0};
+};
+std::optional<LastFrame> load_last_frame(StudyFile& study, std::int64_t attempt_id,
+                                         std::int64_t interval);
 
 /// An answer to a question other than a rating; `answer` is "" when left empty.
 struct StoredResponse {

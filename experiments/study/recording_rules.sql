@@ -72,5 +72,11 @@ SELECT place || ': answered before it was asked' FROM (
     UNION ALL SELECT attempt_id, arrived_ns, question_shown_ns FROM rating)
   JOIN shown ON shown.id = attempt_id WHERE arrived_ns < question_shown_ns GROUP BY attempt_id;
 
+SELECT place || ': the answer ' || answer || ' is kept as ' || CASE positive WHEN 1 THEN 'positive'
+    WHEN 0 THEN 'negative' ELSE 'neither' END FROM response JOIN shown ON shown.id = attempt_id
+  WHERE NOT timed_out AND positive IS NOT CASE kind WHEN 'yes_no' THEN answer = 'yes'
+    WHEN 'two_interval' THEN answer = iif(detail ->> '$.test_interval' = 1, 'first', 'second')
+    ELSE positive END;
+
 SELECT place || ': an answer that did not come in time is ' || answer FROM response
   JOIN shown ON shown.id = attempt_id WHERE timed_out AND coalesce(answer, '') <> '';

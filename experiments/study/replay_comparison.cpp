@@ -93,8 +93,8 @@ std::optional<std::int64_t> last_needed(StudyFile& study, const StoredAttempt& a
   if (attempt.onset_ns == 0) {
     return last_shown_step(scene, ends_s);
   }
-  const std::optional<double> last_s = load_last_shown_time_s(study, attempt.id, interval);
-  return last_s ? std::optional(last_shown_step(scene, *last_s)) : std::nullopt;
+  const auto last = load_last_frame(study, attempt.id, interval);
+  return last ? std::optional(last_shown_step(scene, last->shown_time_s)) : std::nullopt;
 }
 
 /// What differs between two rows with the same columns, of which the first says where they are; ""
@@ -137,14 +137,6 @@ bool is_named(const std::optional<Divergence>& divergence) {
   return divergence && !divergence->body.empty();
 }
 
-void name_bodies(const World& world, AttemptRecord& attempt) {
-  attempt.body_names.clear();
-  for (const BodyModel& body : world.models()) {
-    attempt.body_names.push_back(body.name);
-  }
-  attempt.wall_naming = wall_naming(world.settings().enclosure);
-}
-
 }  // namespace
 
 ReplayComparison::ReplayComparison(StudyFile& study, ReplayLibrary& library)
@@ -183,7 +175,8 @@ std::string ReplayComparison::simulate(const StoredAttempt& attempt, std::int64_
     return missing;
   }
   RunningReplay running(library_.stage(attempt, interval), recorded);
-  name_bodies(running.scene().world, again);
+  again.body_names = body_names(running.scene().world);
+  again.wall_naming = wall_naming(running.scene().world.settings().enclosure);
   while (!running.done() && !is_named(running.result().divergence)) {
     const StepRecord& then = recorded[static_cast<std::size_t>(running.next_step())];
     const StepReport& report = running.next();

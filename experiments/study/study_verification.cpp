@@ -25,6 +25,7 @@
 #include "experiments/study/embedded_remarks.hpp"
 #include "experiments/study/protocol_check.hpp"
 #include "experiments/study/verification_report.hpp"
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline study {
 namespace {
@@ -59,11 +60,6 @@ std::vector<std::string> sentences(SQLite::Database& study, const std::string& b
     }
   }
   return found;
-}
-
-/// "1 plan", "12 plans".
-std::string count_of(std::int64_t number, const std::string& one) {
-  return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
 }
 
 /// "P01, causality, session 2: ".

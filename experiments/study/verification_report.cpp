@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/text_table.hpp"
 
 namespace impetus::inline study {
@@ -13,25 +14,18 @@ using nlohmann::json;
 /// Of one check, so that the last line stays in sight; JSON has all.
 constexpr std::size_t kMostToldFailures = 10;
 
-std::size_t failure_count(const Verification& verification) {
-  std::size_t count = 0;
+std::vector<std::string> all_failures(const Verification& verification) {
+  std::vector<std::string> all;
   for (const VerificationCheck& check : verification.checks) {
-    count += check.failures.size();
+    all.insert(all.end(), check.failures.begin(), check.failures.end());
   }
-  return count;
+  return all;
 }
 
-std::string first_failure(const Verification& verification) {
-  for (const VerificationCheck& check : verification.checks) {
-    if (!check.failures.empty()) {
-      return check.failures.front();
-    }
-  }
-  return "";
-}
-
-std::string number_of(std::int64_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+/// The first, and how many more.
+std::string first_of(const std::vector<std::string>& sentences) {
+  const std::size_t more = sentences.size() - 1;
+  return sentences.front() + (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
 }
 
 void add_rows(const VerificationCheck& check, std::vector<std::vector<std::string>>& rows) {
@@ -48,19 +42,15 @@ void add_rows(const VerificationCheck& check, std::vector<std::vector<std::strin
 }
 
 std::string verdict(const Verification& verification) {
-  if (verification.passed() && !verification.obstacles.empty()) {
-    const std::size_t more = verification.obstacles.size() - 1;
-    return "cannot be published: whole, but " + verification.obstacles.front() +
-           (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
+  if (!verification.passed()) {
+    return "cannot be published: " + first_of(all_failures(verification));
   }
-  if (verification.passed()) {
-    return "can be published: " + number_of(verification.participants, "participant") + ", " +
-           number_of(verification.completed_trials, "trial") + ", " +
-           number_of(verification.sessions, "session");
+  if (!verification.obstacles.empty()) {
+    return "cannot be published: whole, but " + first_of(verification.obstacles);
   }
-  const std::size_t more = failure_count(verification) - 1;
-  return "cannot be published: " + first_failure(verification) +
-         (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
+  return "can be published: " + count_of(verification.participants, "participant") + ", " +
+         count_of(verification.completed_trials, "trial") + ", " +
+         count_of(verification.sessions, "session");
 }
 
 }  // namespace

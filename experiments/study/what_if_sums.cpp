@@ -123,9 +123,7 @@ ComparedStimulus compared(ReplayLibrary& library, const StoredAttempt& attempt,
   result.step_hz = then.step_hz;
   result.walls = wall_naming(then.world.settings().enclosure);
   result.has_gaze = follows_gaze(steps);
-  for (const DrawnBody& look : then.looks) {
-    result.bodies.push_back(look.name);
-  }
+  result.bodies = body_names(then.world);
   result.outcome = what_if(std::move(then), std::move(now), steps, attempt.trial.seed);
   return result;
 }

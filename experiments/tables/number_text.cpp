@@ -15,6 +15,11 @@ constexpr int kMostDigits = 17;  // that any double needs
 
 }  // namespace
 
+std::string count_of(std::int64_t count, const std::string& one, const std::string& many) {
+  const std::string& others = many.empty() ? one + "s" : many;
+  return std::to_string(count) + " " + (count == 1 ? one : others);
+}
+
 std::string printed(const char* format, ...) {
   std::va_list values;
   va_start(values, format);

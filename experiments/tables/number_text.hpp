@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace impetus::inline tables {
@@ -11,6 +12,9 @@ std::string exact_number(double value);
 
 /// With at most so many significant digits, up to 17.
 std::string rounded_number(double value, int digits);
+
+/// "1 trial", "12 trials"; `many`: where it is not `one` and an s.
+std::string count_of(std::int64_t count, const std::string& one, const std::string& many = "");
 
 /// What std::printf would print, however long.
 std::string printed(const char* format, ...) __attribute__((format(printf, 1, 2)));

@@ -228,7 +228,7 @@ class TimingRun {
   }
 
   bool measure_bodies(int bodies) {
-    begin(std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"));
+    begin(count_of(bodies, "body", "bodies"));
     const auto record = shown(bodies, lab_.display());
     if (record) {
       report_.runs.push_back(flip_series(bodies, flips_of(record->frames), nominal_hz()));

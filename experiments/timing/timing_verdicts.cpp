@@ -239,8 +239,7 @@ TimingGrade worst_of(const std::vector<TimingVerdict>& verdicts) {
 std::string decimal(double value, int digits) { return printed("%.*f", digits, value); }
 
 std::string pictured(int bodies) {
-  return bodies == 0 ? "a blank picture"
-                     : std::to_string(bodies) + (bodies == 1 ? " body" : " bodies");
+  return bodies == 0 ? "a blank picture" : count_of(bodies, "body", "bodies");
 }
 
 std::string described(const InputDelay& input) {

@@ -17,7 +17,6 @@
 #include <chrono>
 
 #include "experiments/connections/tcp.hpp"
-#include "experiments/settings/input_error.hpp"
 #include "experiments/trackers/tracker_kinds.hpp"
 
 namespace impetus::inline trackers {
@@ -66,11 +65,10 @@ std::string receive_some(int file, int wait_ms) {
 class GazepointLink final : public TrackerLink {
  public:
   explicit GazepointLink(const TrackerAddress& address) : connection_(connected_to(address)) {
-    const std::string begin = expected_at(address);
     for (const char* id : {"TIME", "POG_FIX", "POG_BEST", "DATA"}) {
       if (!send_whole(connection_.get(),
                       "<SET ID=\"ENABLE_SEND_" + std::string(id) + "\" STATE=\"1\" />\r\n")) {
-        throw InputError(begin + "an Open Gaze server there, which takes SET");
+        refuse_tracker(address.url, "an Open Gaze server there, which takes SET");
       }
     }
     // The fastest of many deliveries is what the clock is known by; they are given out with it.
@@ -83,7 +81,7 @@ class GazepointLink final : public TrackerLink {
       }
     }
     if (!offset_.is_known()) {
-      throw InputError(begin + "records with TIME from the server there, got none in 2 s");
+      refuse_tracker(address.url, "records with TIME from the server there, got none in 2 s");
     }
   }
 
@@ -103,17 +101,14 @@ class GazepointLink final : public TrackerLink {
   [[nodiscard]] ClockEstimate clock() const override { return offset_.estimate(); }
 
  private:
-  static std::string expected_at(const TrackerAddress& address) {
-    return "--gaze " + address.url + ": expected ";
-  }
-
   static OpenFile connected_to(const TrackerAddress& address) {
     try {
       return connect_tcp(address.host, std::to_string(address.port), kConnect);
     } catch (const NotConnected& refused) {
-      throw InputError(expected_at(address) +
-                       "Gazepoint Control or another Open Gaze server there, but nobody answers: " +
-                       refused.what());
+      refuse_tracker(
+          address.url,
+          std::string("Gazepoint Control or another Open Gaze server there, but nobody answers: ") +
+              refused.what());
     }
   }
 

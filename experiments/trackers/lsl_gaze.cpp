@@ -11,7 +11,6 @@
 #include "experiments/connections/loaded_library.hpp"
 #include "experiments/connections/lsl.hpp"
 #include "experiments/connections/tcp.hpp"
-#include "experiments/settings/input_error.hpp"
 #include "experiments/trackers/tracker_kinds.hpp"
 
 namespace impetus::inline trackers {
@@ -47,10 +46,6 @@ class LslLink final : public TrackerLink {
   [[nodiscard]] ClockEstimate clock() const override { return clock_; }
 
  private:
-  [[noreturn]] static void refuse(const TrackerAddress& address, const std::string& expected) {
-    throw InputError("--gaze " + address.url + ": expected " + expected);
-  }
-
   /// From 1; 0: there is none.
   std::size_t channel(const TrackerAddress& address, const char* key, std::size_t otherwise) {
     const auto given = address.options.find(key);
@@ -61,8 +56,8 @@ class LslLink final : public TrackerLink {
       number = read.ec == std::errc{} && read.ptr == words.data() + words.size() ? number : 0;
     }
     if ((number == 0 && given != address.options.end()) || number > inlet_.channels()) {
-      refuse(address, std::string(key) + ": a channel from 1 to " +
-                          std::to_string(inlet_.channels()) + ", which the stream has");
+      refuse_tracker(address.url, std::string(key) + ": a channel from 1 to " +
+                                      std::to_string(inlet_.channels()) + ", which the stream has");
     }
     return number;
   }
@@ -71,7 +66,7 @@ class LslLink final : public TrackerLink {
     const auto given = address.options.find("origin");
     const std::string origin = given == address.options.end() ? "top" : given->second;
     if (origin != "top" && origin != "bottom") {
-      refuse(address, "origin=top or origin=bottom");
+      refuse_tracker(address.url, "origin=top or origin=bottom");
     }
     return origin;
   }
@@ -110,15 +105,14 @@ class LslLink final : public TrackerLink {
 };
 
 std::unique_ptr<TrackerLink> connect_lsl(const TrackerAddress& address) {
-  const std::string begin = "--gaze " + address.url + ": expected ";
   try {
     return std::make_unique<LslLink>(address);
   } catch (const NoSuchLibrary& missing) {
-    throw InputError(begin + "the library liblsl, but " + missing.what() +
-                     "; Debian has none: github.com/sccn/liblsl");
+    refuse_tracker(address.url, std::string("the library liblsl, but ") + missing.what() +
+                                    "; Debian has none: github.com/sccn/liblsl");
   } catch (const NotConnected& nobody) {
-    throw InputError(begin + "a stream " + address.host +
-                     " on this network, got none: " + nobody.what());
+    refuse_tracker(address.url,
+                   "a stream " + address.host + " on this network, got none: " + nobody.what());
   }
 }
 

@@ -18,7 +18,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "experiments/settings/input_error.hpp"
 #include "experiments/trackers/tracker_kinds.hpp"
 #include "experiments/trackers/zeromq.hpp"
 
@@ -123,7 +122,7 @@ class PupilLink final : public TrackerLink {
       await_message({&remote_}, kFirstAnswer_ms);
       take_answer();
       if (!offset_.is_known()) {
-        refuse(address, "the time of Pupil Remote in answer to \"t\", got none");
+        refuse_tracker(address.url, "the time of Pupil Remote in answer to \"t\", got none");
       }
     }
     published_ns_ = asked_ns_;
@@ -149,16 +148,12 @@ class PupilLink final : public TrackerLink {
   [[nodiscard]] ClockEstimate clock() const override { return offset_.estimate(); }
 
  private:
-  [[noreturn]] static void refuse(const TrackerAddress& address, const std::string& expected) {
-    throw InputError("--gaze " + address.url + ": expected " + expected);
-  }
-
   static std::string surface_of(const TrackerAddress& address) {
     const auto topic = address.options.find("topic");
     if (topic != address.options.end() && topic->second != "surfaces") {
-      refuse(address,
-             "the topic surfaces, for gaze in the world camera's image cannot be mapped "
-             "to the screen; define a surface around it in Pupil Capture");
+      refuse_tracker(address.url,
+                     "the topic surfaces, for gaze in the world camera's image cannot be mapped "
+                     "to the screen; define a surface around it in Pupil Capture");
     }
     const auto surface = address.options.find("surface");
     return surface != address.options.end() ? surface->second : "screen";
@@ -169,11 +164,12 @@ class PupilLink final : public TrackerLink {
     await_message({&remote_}, kFirstAnswer_ms);
     const auto answer = remote_.receive();
     if (!answer) {
-      refuse(address, "Pupil Capture or Pupil Service with Pupil Remote there, but nobody answers");
+      refuse_tracker(address.url,
+                     "Pupil Capture or Pupil Service with Pupil Remote there, but nobody answers");
     }
     const std::string& port = answer->front();
     if (port.empty() || port.find_first_not_of("0123456789") != std::string::npos) {
-      refuse(address, "Pupil Remote there, which answers SUB_PORT with a port");
+      refuse_tracker(address.url, "Pupil Remote there, which answers SUB_PORT with a port");
     }
     return port;
   }

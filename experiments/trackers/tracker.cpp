@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "experiments/settings/input_error.hpp"
 #include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline trackers {
@@ -27,6 +28,10 @@ GazeSample sample_on(const ScreenGeometry& screen, const Reading& reading) {
 }
 
 }  // namespace
+
+void refuse_tracker(const std::string& url, const std::string& expected) {
+  throw InputError("--gaze " + url + ": expected " + expected);
+}
 
 Tracker::Tracker(const TrackerKind& kind, TrackerAddress address)
     : kind_(kind), address_(std::move(address)), link_(kind.connect(address_)) {

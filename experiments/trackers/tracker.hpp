@@ -41,11 +41,13 @@ struct Reading {
 /// A tracker's URL, such as pupil://localhost:50020?surface=screen, in its parts.
 struct TrackerAddress {
   std::string url;
-  std::string scheme;
   std::string host;
   int port{0};
   std::map<std::string, std::string> options;  ///< after "?"
 };
+
+/// Throws the InputError that says what was expected of this URL.
+[[noreturn]] void refuse_tracker(const std::string& url, const std::string& expected);
 
 /// The connection is lost; whoever reads says so to nobody, and connects again.
 class TrackerGone : public std::runtime_error {

@@ -11,10 +11,6 @@ namespace {
 
 constexpr const char* kMark = "://";
 
-[[noreturn]] void refuse_url(const std::string& url, const std::string& expected) {
-  throw InputError("--gaze " + url + ": expected " + expected);
-}
-
 const TrackerKind& kind_of(const std::string& url, const std::string& scheme) {
   std::vector<std::string> schemes;
   for (const TrackerKind* kind : tracker_kinds()) {
@@ -23,7 +19,7 @@ const TrackerKind& kind_of(const std::string& url, const std::string& scheme) {
     }
     schemes.push_back(kind->scheme + std::string(kMark) + "HOST");
   }
-  refuse_url(url, "a file of recorded gaze or one of " + listed(schemes));
+  refuse_tracker(url, "a file of recorded gaze or one of " + listed(schemes));
 }
 
 int port_of(const std::string& url, const std::string& words) {
@@ -31,7 +27,7 @@ int port_of(const std::string& url, const std::string& words) {
   const char* end = words.data() + words.size();
   const auto read = std::from_chars(words.data(), end, port);
   if (read.ec != std::errc{} || read.ptr != end || port < 1 || port > 65535) {
-    refuse_url(url, "a port from 1 to 65535 behind the host, got \"" + words + "\"");
+    refuse_tracker(url, "a port from 1 to 65535 behind the host, got \"" + words + "\"");
   }
   return port;
 }
@@ -47,9 +43,9 @@ std::map<std::string, std::string> options_of(const TrackerKind& kind, const std
     const std::string key = option.substr(0, equals);
     if (std::find(kind.options.begin(), kind.options.end(), key) == kind.options.end() ||
         equals + 1 >= option.size()) {
-      refuse_url(url, (kind.options.empty() ? std::string("nothing behind \"?\"")
-                                            : listed(kind.options) + "=VALUE behind \"?\"") +
-                          ", got \"" + option + "\"");
+      refuse_tracker(url, (kind.options.empty() ? std::string("nothing behind \"?\"")
+                                                : listed(kind.options) + "=VALUE behind \"?\"") +
+                              ", got \"" + option + "\"");
     }
     options[key] = option.substr(equals + 1);
     start = end + 1;
@@ -82,11 +78,10 @@ NamedTracker parse_tracker(const std::string& url) {
   const std::size_t colon = std::min(host.find(':'), host.size());
   TrackerAddress& address = tracker.address;
   address.url = url;
-  address.scheme = tracker.kind->scheme;
   address.host = host.substr(0, colon);
   if (address.host.empty() || address.host.find_first_of("/@ ") != std::string::npos) {
-    refuse_url(url, "a host, such as " + address.scheme +
-                        "://localhost:" + std::to_string(tracker.kind->port));
+    refuse_tracker(url, "a host, such as " + std::string(tracker.kind->scheme) +
+                            "://localhost:" + std::to_string(tracker.kind->port));
   }
   address.port = colon < host.size() ? port_of(url, host.substr(colon + 1)) : tracker.kind->port;
   if (question < place.size()) {

@@ -132,4 +132,8 @@ Estimate share_of(std::int64_t k, std::int64_t n) {
   return found;
 }
 
+Estimate mean_over(const std::vector<double>& values) {
+  return ratio_of_sums(values, std::vector<double>(values.size(), 1.0));
+}
+
 }  // namespace impetus::inline trade

@@ -43,4 +43,7 @@ Estimate share_of(std::int64_t k, std::int64_t n);
 /// is zero. Precondition: as many of each.
 Estimate ratio_of_sums(const std::vector<double>& over, const std::vector<double>& under);
 
+/// The mean, with that interval.
+Estimate mean_over(const std::vector<double>& values);
+
 }  // namespace impetus::inline trade

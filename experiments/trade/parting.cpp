@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "experiments/run/scene_run.hpp"
+#include "experiments/trade/crowds/trajectory.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
 #include "experiments/trade/estimate.hpp"
 
@@ -67,7 +68,7 @@ std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
     for (const PartedTrial& trial : trials) {
       shares.push_back(trial.share_together);
     }
-    add("together", "1", "mean", ratio_of_sums(shares, std::vector<double>(shares.size(), 1.0)));
+    add("together", "1", "mean", mean_over(shares));
   }
   return rows;
 }
@@ -75,10 +76,6 @@ std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
 namespace {
 
 using Poses = std::vector<Pose>;
-
-std::int64_t steps_of(const StagedScene& scene, double longest_s) {
-  return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
-}
 
 /// A trial of a scene under one schedule, whose viewer looks at the screen's centre.
 class Trial {
@@ -107,7 +104,7 @@ class Trial {
 std::vector<Poses> reference_course(const StagedScene& scene, double longest_s) {
   Trial trial(scene, {}, kUnlimitedTests, 0);
   std::vector<Poses> course;
-  for (std::int64_t step = 1; step <= steps_of(scene, longest_s); ++step) {
+  for (std::int64_t step = 1; step <= count_steps(scene, longest_s); ++step) {
     Poses poses;
     for (const BodyState& state : trial.step()) {
       poses.push_back(state.pose);

@@ -16,14 +16,6 @@ std::string line_of(const TradeRow& row) {
 
 }  // namespace
 
-void TradeRow::set(const std::string& name, const Estimate& found) {
-  statistic = name;
-  n = found.n;
-  value = found.value;
-  low = found.low;
-  high = found.high;
-}
-
 std::string csv_of(const std::vector<TradeRow>& rows) {
   std::string text = csv_line({"part", "subject", "kind", "level", "reduction", "scheduler",
                                "traversal", "phase", "budget", "measure", "unit", "reference",

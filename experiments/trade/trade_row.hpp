@@ -17,7 +17,7 @@ namespace impetus::inline trade {
 
 /// One statistic of one measure under one setting. Texts that do not apply are empty, numbers that
 /// do not apply are absent.
-struct TradeRow {
+struct TradeRow : Estimate {
   std::string part;     ///< "scene", "impacts", "crowd", "cut", "parting"
   std::string subject;  ///< what it was measured on: "creature x creature", the scene
   std::string kind;     ///< of tree: tree_kind_names()
@@ -31,16 +31,13 @@ struct TradeRow {
   std::string unit;                      ///< such as "deg"; "1" of counts and shares
   std::string reference;                 ///< what an error is against: "exact", "finest", ...
   std::string statistic;                 ///< "median", "p95", "p99", "share", "mean", ...
-  std::int64_t n{0};                     ///< how many were measured
-  /// With the ends of its 95 % interval; NaN, an empty cell, where there is none or the sample is
-  /// too small to say.
-  double value{std::numeric_limits<double>::quiet_NaN()};
-  double low{std::numeric_limits<double>::quiet_NaN()};
-  double high{std::numeric_limits<double>::quiet_NaN()};
-  bool by_clock{false};  ///< a time, or what follows from times
+  bool by_clock{false};                  ///< a time, or what follows from times
 
   /// The statistic and what was found for it.
-  void set(const std::string& name, const Estimate& found);
+  void set(const std::string& name, const Estimate& found) {
+    statistic = name;
+    static_cast<Estimate&>(*this) = found;
+  }
 };
 
 /// The rows as CSV (RFC 4180) with a line of names first; numbers to nine digits, the same

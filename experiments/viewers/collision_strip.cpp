@@ -14,7 +14,6 @@
 namespace impetus::inline viewers {
 namespace {
 
-constexpr std::array<float, 3> kShellColour{0.10F, 0.36F, 0.20F};
 constexpr double kStripRoom = 1.08;
 constexpr ImU32 kGoingInk = IM_COL32(24, 60, 120, 255);
 
@@ -107,13 +106,13 @@ class StripDrawing {
       const CollisionMoment& moment = row.moments[name];
       for (std::size_t body = 0; body < moment.poses.size(); ++body) {
         for (const RoundedBox& box : volumes_at_level(*model(body).tree, row.level)) {
-          volumes.push_back({posed(box, moved(moment.poses[body])), kShellColour});
+          volumes.push_back({posed(box, moved(moment.poses[body])), kVolumeColour});
         }
       }
     } else if (name == kAtContact) {
       for (RoundedBox box : row.touching) {
         box.centre -= centre_;
-        volumes.push_back({box, kShellColour});
+        volumes.push_back({box, kVolumeColour});
       }
     }
     return volumes;

@@ -220,12 +220,8 @@ class PreviewScreen final : public ViewerScreen {
     const PictureMap map = picture_map();
     follow_mouse(map);
     run_.watch_node_contacts(overlays_.shown && overlays_.contacts);
-    Picture picture;
-    picture.bodies = run_.bodies();
+    Picture picture = run_.picture();
     colour_bodies(picture.bodies, run_.details(), overlays_.colours, run_.settings().finest_level);
-    picture.enclosure = run_.scene().world.settings().enclosure;
-    picture.appearance = run_.scene().appearance;
-    picture.viewer = run_.viewer();
     canvas_.painter.paint(picture, area_, volumes_.of(run_, overlays_, picture.bodies));
     bodies_ = std::move(picture.bodies);
   }

@@ -2,12 +2,6 @@
 #include "experiments/viewers/volume_levels.hpp"
 
 namespace impetus::inline viewers {
-namespace {
-
-constexpr std::array<float, 3> kVolumeColour{0.10F, 0.36F, 0.20F};
-
-}  // namespace
-
 std::vector<RoundedBox> volumes_at_level(const VolumeTree& tree, int level) {
   std::vector<RoundedBox> volumes;
   for (const std::int32_t index : tree.standing_at(level)) {

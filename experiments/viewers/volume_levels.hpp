@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "experiments/viewers/preview_overlays.hpp"
 
 namespace impetus::inline viewers {
+
+inline constexpr std::array<float, 3> kVolumeColour{0.10F, 0.36F, 0.20F};
 
 /// The volumes that stand for the whole object at `level`, in the body's frame: the level's nodes,
 /// and nodes without children of the levels before.

@@ -72,12 +72,8 @@ void write_png(const Pixels& pixels, const std::string& file) {
 }
 
 WindowOptions unseen_window(const PictureSize& size) {
-  WindowOptions options;
-  options.fullscreen = false;
-  options.seen = false;
-  options.width_px = size.width_px;
-  options.height_px = size.height_px;
-  return options;
+  return {
+      .fullscreen = false, .width_px = size.width_px, .height_px = size.height_px, .seen = false};
 }
 
 ReadableTarget::ReadableTarget(const PictureSize& size) : size_(size) {

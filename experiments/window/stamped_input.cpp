@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "experiments/record/lab_screen.hpp"
 #include "experiments/window/display.hpp"
 
 namespace impetus::inline window {
@@ -63,8 +64,8 @@ void MouseInput::take(const std::vector<StampedEvent>& events) {
     const bool space =
         event.type == SDL_KEYDOWN && event.key.repeat == 0 && event.key.keysym.sym == SDLK_SPACE;
     if (event.type == SDL_MOUSEMOTION) {
-      samples_.push_back(
-          {stamped.arrived_ns, on_glass(event.motion.x, event.motion.y), GazeLoss::kNone});
+      samples_.push_back({stamped.arrived_ns, on_glass(geometry_, event.motion.x, event.motion.y),
+                          GazeLoss::kNone});
     } else if (event.type == SDL_MOUSEBUTTONDOWN || space) {
       clicks_.push_back({space ? "key" : "mouse", stamped.arrived_ns, stamped.uncertainty_ns});
     }
@@ -77,7 +78,7 @@ std::vector<GazeSample> MouseInput::take_samples() {
     int x_px = 0;
     int y_px = 0;
     SDL_GetMouseState(&x_px, &y_px);
-    now.at = on_glass(x_px, y_px);
+    now.at = on_glass(geometry_, x_px, y_px);
     now.loss = GazeLoss::kNone;
   }
   samples_.push_back(now);
@@ -85,11 +86,5 @@ std::vector<GazeSample> MouseInput::take_samples() {
 }
 
 std::vector<ClickRecord> MouseInput::take_clicks() { return std::exchange(clicks_, {}); }
-
-ScreenPoint MouseInput::on_glass(int x_px, int y_px) const {
-  // Pixel centres; y of the screen points up.
-  return {((x_px + 0.5) / geometry_.width_px - 0.5) * geometry_.width_m,
-          (0.5 - (y_px + 0.5) / geometry_.height_px) * geometry_.height_m};
-}
 
 }  // namespace impetus::inline window

@@ -90,8 +90,6 @@ class MouseInput final : public Gaze {
   std::vector<ClickRecord> take_clicks();
 
  private:
-  [[nodiscard]] ScreenPoint on_glass(int x_px, int y_px) const;
-
   const Clock& clock_;
   ScreenGeometry geometry_;
   std::vector<GazeSample> samples_;

@@ -218,12 +218,8 @@ class FilmTable {
 
  private:
   static std::string level_of(const Condition& condition, const std::string& factor) {
-    for (const FactorLevel& level : condition) {
-      if (level.factor == factor) {
-        return to_text(level.value);
-      }
-    }
-    return "";
+    const FactorLevel* level = find_level(condition, factor);
+    return level == nullptr ? "" : to_text(level->value);
   }
 
   const Design& design_;
@@ -308,7 +304,7 @@ int film_protocol(const FilmOptions& options, const std::string& file) {
       options.format == "png"
           ? nullptr
           : find_format("." + (options.format.empty() ? std::string("mp4") : options.format));
-  require_new_folder(asked.folder);
+  require_free_folder(asked.folder, refuse_full_folder);
   asked.screen = chosen_screen(options.screen_file);
   asked.look = look_of(options, asked.screen);
   asked.refresh_hz = options.refresh_hz.value_or(kUsualRefresh_hz);

@@ -264,14 +264,6 @@ std::filesystem::path FilmTarget::record() const {
   return format == nullptr ? path / kRecordName : fs::path(path).replace_extension(".json");
 }
 
-std::string film_endings() {
-  std::string all;
-  for (const FilmFormat& format : formats()) {
-    all += (all.empty() ? "" : ", ") + format.ending;
-  }
-  return all;
-}
-
 const FilmFormat* find_format(const std::string& ending) {
   const auto found =
       std::find_if(formats().begin(), formats().end(),
@@ -287,19 +279,11 @@ FilmTarget film_target(const std::string& out) {
   }
   const FilmFormat* format = find_format(ending);
   if (format == nullptr) {
-    throw InputError("--out " + out + ": expected a name that ends in one of " + film_endings() +
+    throw InputError("--out " + out + ": expected a name that ends in one of " +
+                     listed(formats(), &FilmFormat::ending) +
                      ", or in / for a folder of PNG files, got " + ending);
   }
   return {path, format};
-}
-
-void require_new_folder(const std::filesystem::path& folder) {
-  if (fs::is_directory(folder) && !fs::is_empty(folder)) {
-    refuse_full_folder(folder);
-  }
-  if (fs::exists(folder) && !fs::is_directory(folder)) {
-    throw InputError("--out: expected a folder, but " + folder.string() + " is a file");
-  }
 }
 
 void refuse_full_folder(const std::filesystem::path& folder) {
@@ -308,7 +292,7 @@ void refuse_full_folder(const std::filesystem::path& folder) {
 
 void require_filmable(const FilmTarget& target, const PictureSize& size) {
   if (target.format == nullptr) {
-    require_new_folder(target.path);
+    require_free_folder(target.path, refuse_full_folder);
     return;
   }
   require_new_file(target.path);

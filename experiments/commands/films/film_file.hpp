@@ -37,9 +37,6 @@ struct FilmTarget {
   [[nodiscard]] std::filesystem::path record() const;
 };
 
-/// ".mkv, .mp4, .webm, .gif".
-std::string film_endings();
-
 /// The format of the ending; null when there is none.
 const FilmFormat* find_format(const std::string& ending);
 
@@ -53,9 +50,6 @@ void require_filmable(const FilmTarget& target, const PictureSize& size);
 
 /// The same of the format and the size alone.
 void require_encodable(const FilmFormat& format, const PictureSize& size);
-
-/// Throws InputError when the folder holds files already or is a file.
-void require_new_folder(const std::filesystem::path& folder);
 
 /// Throws the sentence that says so of a folder that holds files.
 [[noreturn]] void refuse_full_folder(const std::filesystem::path& folder);

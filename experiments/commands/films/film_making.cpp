@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/drawing/picture_map.hpp"
+#include "experiments/exports/gzip.hpp"
 #include "experiments/record/wall_names.hpp"
 #include "experiments/tables/number_text.hpp"
 #include "experiments/viewing/film_run.hpp"
@@ -18,30 +19,6 @@ namespace impetus::inline commands {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::array<std::uint32_t, 256> crc_table() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
-    std::uint32_t value = byte;
-    for (int bit = 0; bit < 8; ++bit) {
-      value = (value >> 1U) ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U);
-    }
-    table[byte] = value;
-  }
-  return table;
-}
-
-constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
-
-/// Of the picture's bytes, red, green and blue of each pixel, row by row from the top: as
-/// `ffmpeg -pix_fmt rgb24 -f framehash -hash crc32` has it.
-std::uint32_t crc32_of(const Pixels& picture) {
-  std::uint32_t crc = ~0U;
-  for (const std::uint8_t byte : picture.rgb) {
-    crc = (crc >> 8U) ^ kCrcTable[(crc ^ byte) & 0xFFU];
-  }
-  return ~crc;
-}
 
 /// A frame of the film, painted.
 struct PaintedFrame {
@@ -247,7 +224,7 @@ class FilmPictures {
 
   void keep(Pixels pixels) {
     pixels_ = std::move(pixels);
-    crc32_ = crc32_of(pixels_);
+    crc32_ = crc32_of(pixels_.rgb);
   }
 
   const Film& film_;

@@ -65,10 +65,10 @@ struct ShownAgain {
 void add_last_frame(StudyFile& study, const StoredAttempt& attempt, std::int64_t interval,
                     AttemptRecord& record) {
   record.onset_ns = load_onset(study, attempt.id, interval).value_or(attempt.onset_ns);
-  if (const auto last_ns = load_last_flip(study, attempt.id, interval)) {
-    FrameRecord& last = record.frames.emplace_back();
-    last.flip.flipped_ns = *last_ns;
-    last.interval = interval;
+  if (const auto last = load_last_frame(study, attempt.id, interval)) {
+    FrameRecord& frame = record.frames.emplace_back();
+    frame.flip.flipped_ns = last->flipped_ns;
+    frame.interval = interval;
   }
 }
 
@@ -90,10 +90,7 @@ ShownAgain show_again(StudyFile& study, ReplayLibrary& library, const StoredAtte
   const std::vector<StepRecord> steps = library.steps(attempt, interval);
   RunningReplay replay(library.stage(attempt, interval), steps);
   AttemptRecord record;
-  std::vector<std::string> names;
-  for (const DrawnBody& look : replay.scene().looks) {
-    names.push_back(look.name);
-  }
+  const std::vector<std::string> names = body_names(replay.scene().world);
   for (std::size_t i = 0; !replay.done(); ++i) {
     const StepReport& report = replay.next();
     for (const CollisionReport& collision : report.collisions) {

@@ -11,7 +11,6 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/fitting/answered_study.hpp"
 #include "experiments/commands/fitting/fit_page.hpp"
-#include "experiments/commands/fitting/fittable.hpp"
 #include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"

@@ -40,15 +40,12 @@ std::string response_of(const Protocol& protocol, const std::string& wanted) {
 
 const Factor& factor_named(const Protocol& protocol, const std::string& option,
                            const std::string& name) {
-  std::string names;
-  for (const Factor& factor : protocol.design.factors) {
-    if (factor.name == name) {
-      return factor;
-    }
-    names += (names.empty() ? "" : ", ") + factor.name;
+  const Factor* factor = find_factor(protocol.design, name);
+  if (factor == nullptr) {
+    throw InputError(option + ": expected a factor of " + protocol.document.name + " (" +
+                     listed(protocol.design.factors, &Factor::name) + "), got " + name);
   }
-  throw InputError(option + ": expected a factor of " + protocol.document.name + " (" + names +
-                   "), got " + name);
+  return *factor;
 }
 
 /// "scheduling=tracked,random" as ["scheduling", "tracked", "random"]; [] for "".

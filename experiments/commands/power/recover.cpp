@@ -19,7 +19,6 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/fitting/answered_study.hpp"
-#include "experiments/commands/fitting/fittable.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/given_words.hpp"

@@ -31,13 +31,9 @@ std::optional<std::vector<MeasuredCollision>> measured(StudyFile& study, ReplayL
                                                        const StoredAttempt& attempt,
                                                        std::int64_t interval) {
   const StagedScene scene = library.stage(attempt, interval);
-  std::vector<std::string> names;
-  for (const DrawnBody& look : scene.looks) {
-    names.push_back(look.name);
-  }
   std::vector<MeasuredCollision> truths;
   const std::vector<StoredCollision> collisions =
-      load_collisions(study, attempt.id, names, interval);
+      load_collisions(study, attempt.id, body_names(scene.world), interval);
   const ReplayResult result = replay(
       scene, library.steps(attempt, interval),
       [&](std::int64_t step, const World& world, const StepReport&) {

@@ -12,21 +12,12 @@
 namespace impetus::inline commands {
 namespace {
 
-std::vector<FactorLevel> values_from(const std::string& text) {
-  const auto object = nlohmann::json::parse(text);
-  std::vector<FactorLevel> values;
-  for (auto value = object.begin(); value != object.end(); ++value) {
-    values.push_back({value.key(), level_value(value.value())});
-  }
-  return values;
-}
-
 RecordedLevel recorded(const StoredAdaptiveTrial& trial, const Design& design) {
   RecordedLevel level;
   level.trial_id = trial.trial_id;
   level.chosen.slot = trial.slot;
   level.chosen.condition = condition_from_json(nlohmann::json::parse(trial.condition), design);
-  level.chosen.state = values_from(trial.state);
+  level.chosen.state = condition_from_json(nlohmann::json::parse(trial.state));
   level.track = trial.track;
   level.completed = trial.completed;
   level.counted_answer = trial.counted_answer;

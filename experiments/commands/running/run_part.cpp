@@ -7,7 +7,6 @@
 #include <string>
 
 #include "experiments/commands/named_observer.hpp"
-#include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
 #include "experiments/files/gaze_file.hpp"

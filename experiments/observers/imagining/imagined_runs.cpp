@@ -7,7 +7,7 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/draws.hpp"
-#include "experiments/run/scene_run.hpp"
+#include "experiments/run/frame_poses.hpp"
 #include "experiments/run/touching.hpp"
 
 namespace impetus::inline observers {
@@ -66,11 +66,6 @@ auto passage_of(const Goal& goal, std::size_t body) {
   };
 }
 
-std::int64_t steps_in(double seconds, double step_hz) {
-  constexpr double kOfAStep = 1e-9;
-  return static_cast<std::int64_t>(std::ceil(seconds * step_hz - kOfAStep));
-}
-
 /// No list of the schedule refines deeper than `level`.
 Schedule no_deeper_than(int level, Schedule schedule) {
   for (PriorityList& list : schedule.lists) {
@@ -86,7 +81,7 @@ double share_of_runs(const HasHappened& has_happened, World start, double time_s
                      const std::vector<std::size_t>& unsteady, const StagedScene& scene,
                      const Imagination& by, RandomStream& draws) {
   start.set_schedule(no_deeper_than(by.level, start.settings().schedule));
-  const std::int64_t steps = steps_in(scene.whole_s() - time_s, by.step_hz);
+  const std::int64_t steps = steps_until(scene.whole_s() - time_s, by.step_hz);
   Course course(scene.viewer, by.step_hz, by.tests_per_step);
   const Vector3 axis = scene.viewer.eye.normalized();
   RandomStream of_pair = draws;
@@ -117,7 +112,7 @@ double share_of_runs(const HasHappened& has_happened, World start, double time_s
 
 Instant last_shown_instant(const StagedScene& scene) {
   SceneRun run(scene_at_onset(scene));
-  const std::int64_t steps = steps_in(scene.duration_s, scene.step_hz);
+  const std::int64_t steps = steps_until(scene.duration_s, scene.step_hz);
   while (run.number() < steps) {
     run.step_whole();
   }
@@ -130,7 +125,7 @@ std::optional<Meeting> first_meeting(const StagedScene& scene) {
   }
   SceneRun run(scene_at_onset(scene));
   const auto mine = static_cast<std::int32_t>(scene.goal->body);
-  const std::int64_t steps = steps_in(scene.whole_s(), scene.step_hz);
+  const std::int64_t steps = steps_until(scene.whole_s(), scene.step_hz);
   while (run.number() < steps) {
     const StepReport& report = run.step_whole();
     for (const CollisionReport& collision : report.collisions) {
@@ -150,7 +145,7 @@ bool gets_through(const StagedScene& scene, std::optional<std::size_t> without) 
   Rest rest = rest_of(scene, scene.start, without);
   Course course(scene.viewer, scene.step_hz, kUnlimitedTests);
   return course.leads_to(passage_of(*scene.goal, rest.body), rest.world,
-                         steps_in(scene.whole_s() - scene.still_s, scene.step_hz),
+                         steps_until(scene.whole_s() - scene.still_s, scene.step_hz),
                          [](const World& /*as_it_is*/) {});
 }
 

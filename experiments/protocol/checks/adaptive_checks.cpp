@@ -90,19 +90,16 @@ void check_question(const Protocol& protocol) {
 
 constexpr const char* kQuestPlus = "/design/adaptive/quest_plus/";
 
-std::string number_text_of(const char* format, double number) { return printed(format, number); }
-
 void check_staircase(const Protocol& protocol, const Staircase& staircase) {
   const double share = settling_share(staircase);
   for (const auto& question : protocol.script.asked) {
     const ResponseKind& kind = question->kind();
     if (kind.guessed_share > 0.0 && share < kind.guessed_share + 1e-6) {
       refuse(protocol.document, "/design/adaptive/staircase",
-             "expected a rule that settles above " +
-                 number_text_of("%g", 100.0 * kind.guessed_share) +
+             "expected a rule that settles above " + printed("%g", 100.0 * kind.guessed_share) +
                  " % right answers, which guessing " + kind.guessing + " reaches, got " +
                  std::to_string(staircase.up) + " up, " + std::to_string(staircase.down) +
-                 " down, which settles at " + number_text_of("%.1f", 100.0 * share) + " %");
+                 " down, which settles at " + printed("%.1f", 100.0 * share) + " %");
     }
   }
 }
@@ -145,7 +142,7 @@ void check_rates(const Protocol& protocol, const QuestPlus& method) {
     refuse(protocol.document, std::string(kQuestPlus) + "lapse_rates",
            "expected the largest guess rate and the largest lapse rate to add up to less than 1, "
            "or no level has a higher share of positive answers than another, got " +
-               number_text_of("%g", guess) + " and " + number_text_of("%g", lapse));
+               printed("%g", guess) + " and " + printed("%g", lapse));
   }
 }
 
@@ -166,8 +163,8 @@ void check_grids(const Protocol& protocol, const QuestPlus& method,
     const double slack = 1e-9 * (most - least);
     if (threshold < least - slack || threshold > most + slack) {
       refuse(protocol.document, place,
-             "expected a threshold that some level can reach, from " + number_text_of("%g", least) +
-                 " to " + number_text_of("%g", most) + " on the scale" + got);
+             "expected a threshold that some level can reach, from " + printed("%g", least) +
+                 " to " + printed("%g", most) + " on the scale" + got);
     }
     if (!is_defined(method.function, method.scale, 0.0, threshold)) {
       refuse(protocol.document, place,
@@ -189,7 +186,7 @@ void check_table_size(const Protocol& protocol, const QuestPlus& method, std::si
   if (entries > kMostEntries) {
     refuse(protocol.document, "/design/adaptive/quest_plus",
            "expected at most 1000000 combinations of the levels and the grids, got " +
-               number_text_of("%.15g", entries));
+               printed("%.15g", entries));
   }
   if (entries == static_cast<double>(level_count)) {
     refuse(protocol.document, "/design/adaptive/quest_plus",

@@ -70,8 +70,7 @@ std::vector<std::string> ways_of(const Factor& factor) {
 bool is_adapted_by(const Protocol& protocol, const std::string& factor) {
   const std::vector<Adaptation>& streams = protocol.design.adaptation;
   return std::any_of(streams.begin(), streams.end(), [&](const Adaptation& stream) {
-    return std::any_of(stream.when.begin(), stream.when.end(),
-                       [&](const FactorLevel& level) { return level.factor == factor; });
+    return find_level(stream.when, factor) != nullptr;
   });
 }
 

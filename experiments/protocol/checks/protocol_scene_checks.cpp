@@ -58,10 +58,8 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
     require_frames(protocol.document, place, std::get<double>(level), bound.unit_s, hz);
   };
   const auto require_condition = [&](const std::string& place, const Condition& condition) {
-    for (const FactorLevel& level : condition) {
-      if (level.factor == factor->name) {
-        require_level(place + "/" + factor->name, level.value);
-      }
+    if (const FactorLevel* level = find_level(condition, factor->name)) {
+      require_level(place + "/" + factor->name, level->value);
     }
   };
   if (const TwoIntervalQuestion* question = find_two_interval(protocol.script)) {

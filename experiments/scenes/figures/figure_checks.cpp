@@ -233,10 +233,8 @@ void add_imposed_problems(const ImposedSettings& imposed, SceneProblems& problem
 }
 
 std::string listed_names(const std::map<std::string, MotionSettings>& motions) {
-  std::string names;
-  for (const auto& [name, motion] : motions) {
-    names += (names.empty() ? "" : ", ") + json(name).dump();
-  }
+  const std::string names =
+      listed(motions, [](const auto& each) { return json(each.first).dump(); });
   return names.empty() ? "none" : names;
 }
 

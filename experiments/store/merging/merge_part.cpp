@@ -45,11 +45,8 @@ void require_not_anonymised(StudyFile& study) {
   }
 }
 
-std::string listed(const std::map<std::string, std::set<std::string>>& protocols) {
-  std::string text;
-  for (const auto& [name, versions] : protocols) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
+std::string names_of(const std::map<std::string, std::set<std::string>>& protocols) {
+  const std::string text = listed(protocols, [](const auto& each) { return each.first; });
   return text.empty() ? "none" : text;
 }
 
@@ -112,7 +109,7 @@ void require_same_study(const MergePart& part, const MergePart& before) {
   const std::string beyond = protocol_beyond(part, before);
   if (!beyond.empty() && !protocol_beyond(before, part).empty()) {
     throw InputError(part.study.name() + ": expected protocols of the same study as " +
-                     before.study.name() + " (" + listed(before.identity.protocols) + "), got " +
+                     before.study.name() + " (" + names_of(before.identity.protocols) + "), got " +
                      beyond);
   }
 }

@@ -9,6 +9,7 @@
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/merging/merge_part.hpp"
+#include "experiments/store/read_only_file.hpp"
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_integrity.hpp"
 
@@ -168,16 +169,11 @@ class RowCopy {
   std::map<std::string, NewIds> ids_;  ///< by table, of those that have ids
 };
 
-bool is_there(const std::filesystem::path& path) {
-  std::error_code missing;
-  const std::uintmax_t size = std::filesystem::file_size(path, missing);
-  return !missing && size > 0;
-}
-
 void require_not_a_source(const std::vector<std::filesystem::path>& sources,
                           const std::filesystem::path& into) {
   for (const std::filesystem::path& source : sources) {
-    if (is_there(into) && is_there(source) && std::filesystem::equivalent(source, into)) {
+    if (holds_anything(into) && holds_anything(source) &&
+        std::filesystem::equivalent(source, into)) {
       throw InputError("--into " + into.string() +
                        ": expected a study other than those that are merged");
     }
@@ -245,7 +241,7 @@ void remove_study(const std::filesystem::path& path) {
 MergeResult merge_studies(const std::vector<std::filesystem::path>& sources,
                           const std::filesystem::path& into, const std::string& build) {
   require_not_a_source(sources, into);
-  const bool is_new = !is_there(into);
+  const bool is_new = !holds_anything(into);
   std::deque<MergePart> parts = comparable_parts(sources, into, is_new);
   StudyIdentity compared;
   if (!is_new) {

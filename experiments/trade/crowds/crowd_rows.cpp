@@ -31,8 +31,6 @@ constexpr std::array<Reference, 3> kReferences{{{"random", &OrderedStep::by_chan
 constexpr double kThousand = 1e3;
 constexpr double kNsPerUs = 1e3;
 
-std::vector<double> ones(std::size_t count) { return std::vector<double>(count, 1.0); }
-
 template <typename Steps, typename Value>
 std::vector<double> each(const Steps& steps, const Value& value) {
   std::vector<double> values;
@@ -96,7 +94,7 @@ class Rows {
 
   void add_mean(const char* measure, const char* unit, const char* reference,
                 const std::vector<double>& values) {
-    add(measure, unit, reference, "mean", ratio_of_sums(values, ones(values.size())));
+    add(measure, unit, reference, "mean", mean_over(values));
   }
 
   void add_steps() {

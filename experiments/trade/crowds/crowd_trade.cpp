@@ -129,11 +129,7 @@ class Crowd {
  public:
   Crowd(const StagedScene& scene, const CrowdRequest& request, const Clock& clock,
         const Progress& progress)
-      : scene_(scene),
-        request_(request),
-        clock_(clock),
-        progress_(progress),
-        steps_(count_steps(scene, request.longest_s)) {
+      : scene_(scene), request_(request), clock_(clock), progress_(progress) {
     scene_.world.set_costs(costs_of_tests(scene.world.settings().costs));
   }
 
@@ -146,26 +142,14 @@ class Crowd {
         trade.orders.push_back({order, budget, {}});
       }
     }
-    Trajectory trajectory(scene_, request_.sampled_every_s, request_.seed);
-    for (std::int64_t step = 1; step <= steps_; ++step) {
-      trajectory.look();
-      if (trajectory.is_sampled()) {
-        sample(trajectory.moment(), trade);
-        trade.steps.back().step = step;
-        tell(step);
-      }
-      static_cast<void>(trajectory.step());
-    }
+    for_each_moment(scene_, request_, progress_, [&](const Moment& moment) {
+      sample(moment, trade);
+      trade.steps.back().step = moment.before.number() + 1;
+    });
     return trade;
   }
 
  private:
-  void tell(std::int64_t step) const {
-    if (progress_) {
-      progress_(static_cast<double>(step) / static_cast<double>(steps_));
-    }
-  }
-
   /// Gives the step all orders, each from where the trajectory is.
   void sample(const Moment& moment, CrowdTrade& trade) {
     SceneRun coarsest = tried_run(moment, {});
@@ -225,7 +209,6 @@ class Crowd {
   const CrowdRequest& request_;
   const Clock& clock_;
   const Progress& progress_;
-  std::int64_t steps_;
 };
 
 }  // namespace

@@ -109,14 +109,11 @@ CutStep compare(const SceneRun& whole, const StepReport& of_whole, const SceneRu
 class CutPhases {
  public:
   CutPhases(const StagedScene& scene, const CutRequest& request, const Progress& progress)
-      : scene_(scene),
-        request_(request),
-        progress_(progress),
-        steps_(count_steps(scene, request.longest_s)) {}
+      : scene_(scene), request_(request), progress_(progress) {}
 
   std::vector<CutCrowd> measure() {
     find_budgets();
-    for_each_moment([&](const Moment& moment) {
+    for_each_moment(scene_, request_, progress_, [&](const Moment& moment) {
       try_all(moment);
       follow_some(moment);
     });
@@ -124,27 +121,11 @@ class CutPhases {
   }
 
  private:
-  /// Takes the scene along its trajectory and looks at each moment that is sampled.
-  template <typename LookAt>
-  void for_each_moment(const LookAt& look_at) {
-    Trajectory trajectory(scene_, request_.sampled_every_s, request_.seed);
-    for (std::int64_t step = 1; step <= steps_; ++step) {
-      trajectory.look();
-      if (trajectory.is_sampled()) {
-        look_at(trajectory.moment());
-        if (progress_) {
-          progress_(static_cast<double>(step) / static_cast<double>(steps_));
-        }
-      }
-      static_cast<void>(trajectory.step());
-    }
-  }
-
   /// What is to be tried: each phase that asks for something, in each of its orders, by parts of
   /// what it takes in the median moment that asks for something.
   void find_budgets() {
     std::array<std::vector<std::int64_t>, kCutPhases.size()> asked;
-    for_each_moment([&](const Moment& moment) {
+    for_each_moment(scene_, request_, progress_, [&](const Moment& moment) {
       ++moments_;
       for (std::size_t i = 0; i < kCutPhases.size(); ++i) {
         const std::int64_t units = units_of(kCutPhases[i], moment);
@@ -246,15 +227,10 @@ class CutPhases {
   const StagedScene& scene_;
   const CutRequest& request_;
   const Progress& progress_;
-  std::int64_t steps_;
   std::size_t moments_{0};
   std::size_t followed_{0};
   std::vector<CutCrowd> crowds_;
 };
-
-Estimate mean_over(const std::vector<double>& values) {
-  return ratio_of_sums(values, std::vector<double>(values.size(), 1.0));
-}
 
 }  // namespace
 

@@ -49,4 +49,22 @@ class Trajectory {
   std::optional<GazeRegion> region_;
 };
 
+/// Takes the scene along, as the request says, and looks at each moment that is sampled.
+template <typename Request, typename LookAt>
+void for_each_moment(const StagedScene& scene, const Request& request, const Progress& progress,
+                     const LookAt& look_at) {
+  const std::int64_t steps = count_steps(scene, request.longest_s);
+  Trajectory trajectory(scene, request.sampled_every_s, request.seed);
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    trajectory.look();
+    if (trajectory.is_sampled()) {
+      look_at(trajectory.moment());
+      if (progress) {
+        progress(static_cast<double>(step) / static_cast<double>(steps));
+      }
+    }
+    static_cast<void>(trajectory.step());
+  }
+}
+
 }  // namespace impetus::inline trade

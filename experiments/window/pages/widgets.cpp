@@ -90,10 +90,7 @@ const char* end_of_joined_line(const char* begin, const char* end, const ImFont&
 }
 
 const char* end_of_line(const char* begin, const char* end, const ImFont& font, float width_px) {
-  const char* line_break = begin;
-  while (line_break < end && *line_break != '\n') {
-    ++line_break;
-  }
+  const char* line_break = std::find(begin, end, '\n');
   if (has_right_to_left({begin, static_cast<std::size_t>(line_break - begin)})) {
     return end_of_joined_line(begin, line_break, font, width_px);
   }

@@ -64,17 +64,18 @@ TEST(PreviewRun, ASingleStepStandsExactlyOnTheNext) {
   EXPECT_EQ(run.step_number(), 1);
   run.step();
   EXPECT_EQ(run.step_number(), 2);
-  EXPECT_EQ(run.bodies()[5].pose.position, run.scene().world.states()[5].pose.position);
+  EXPECT_EQ(run.picture().bodies[5].pose.position, run.scene().world.states()[5].pose.position);
 }
 
 TEST(PreviewRun, BodiesStandBetweenTheStepsAroundTheirTime) {
   const VirtualClock clock;
   PreviewRun run(two_l_blocks(), clock);
-  const double start_m = run.bodies()[0].pose.position.x();
+  const double start_m = run.picture().bodies[0].pose.position.x();
   run.advance(0.25 / run.scene().step_hz);
   const double step_m = run.scene().world.states()[0].pose.position.x() - start_m;
   EXPECT_EQ(run.step_number(), 1);
-  EXPECT_NEAR(run.bodies()[0].pose.position.x(), start_m + 0.25 * step_m, 1e-12 * step_m + 1e-15);
+  EXPECT_NEAR(run.picture().bodies[0].pose.position.x(), start_m + 0.25 * step_m,
+              1e-12 * step_m + 1e-15);
 }
 
 TEST(PreviewRun, RestartBringsTheSameCourseAgain) {

@@ -227,12 +227,12 @@ TEST(AdaptiveSession, AChosenLevelIsNeverOverwritten) {
 TEST(AdaptiveSession, NumbersAreStoredWithEveryDigitAndTextWithEveryLetter) {
   const std::vector<FactorLevel> values{
       {"threshold", 1.0 / 3.0}, {"b", true}, {"a", std::string("say \"x\"\n")}, {"n", 1e-300}};
-  const json read = json::parse(named_values_json(values));
+  const json read = json::parse(to_json(values).dump());
   EXPECT_EQ(read["threshold"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(read["n"].get<double>(), 1e-300);
   EXPECT_EQ(read["b"].get<bool>(), true);
   EXPECT_EQ(read["a"].get<std::string>(), "say \"x\"\n");
-  EXPECT_EQ(named_values_json({{"b", 2.0}, {"a", 1.0}}), R"({"a":1,"b":2})");
+  EXPECT_EQ(to_json(Condition{{"b", 2.0}, {"a", 1.0}}).dump(), R"({"a":1,"b":2})");
 }
 
 // ---------------------------------------------------------------- derived anew

@@ -142,6 +142,11 @@ TEST(Verify, WhateverWasChangedIsNamed) {
        "within the stimulus that is missing"},
       {"UPDATE rating SET arrived_ns = question_shown_ns - 1 WHERE attempt_id = 7",
        "recordings: P02, causality, slot 2, attempt 1: answered before it was asked"},
+      {"INSERT INTO response (attempt_id, number, kind, question, answer, positive, detail, "
+       "device, "
+       "question_shown_ns, arrived_ns, arrival_uncertainty_ns) VALUES (7, 1, 'yes_no', 'Seen?', "
+       "'yes', 0, '{}', 'key', 0, 1, 0)",
+       "recordings: P02, causality, slot 2, attempt 1: the answer yes is kept as negative"},
       {"UPDATE protocol SET protocol_json = replace(protocol_json, '\"small\"', '\"Small\"')",
        "protocols: protocol causality: its hash is " + hash + ", computed anew it is " +
            small_protocol("Small").hash},
