@@ -65,6 +65,7 @@ json field_json(const Field& field) {
   return {
       {"id", field.id},           {"label", field.label},     {"kind", name_of(field.kind)},
       {"options", field.options}, {"minimum", field.minimum}, {"maximum", field.maximum},
+      {"answer", field.answer},
   };
 }
 

@@ -131,7 +131,8 @@ void add_screen(CLI::App& app, Command& chosen) {
   white->check(number_from(0.001, 10000.0))->needs(black)->needs(gamma);
   gamma->check(number_from(0.5, 5.0))->needs(black)->needs(white);
   command->add_option("--file", options->file, "Where to keep it instead of the user's settings");
-  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option("--window", options->window_size,
+                      "WIDTHxHEIGHT instead of fullscreen: measure this window");
 }
 
 }  // namespace impetus::inline commands

@@ -91,8 +91,8 @@ OrderedJson end_condition(const OrderedJson& factors, bool last) {
   return condition;
 }
 
-/// Refuses levels that are no scale from hard to easy.
-void require_scale(const OrderedJson& factor) {
+/// Refuses levels that are no scale from hard to easy: from the natural one away.
+void require_scale(const OrderedJson& factor, const OrderedJson& natural) {
   const OrderedJson& levels = factor["levels"];
   const bool numbers = std::all_of(levels.begin(), levels.end(),
                                    [](const OrderedJson& level) { return level.is_number(); });
@@ -101,6 +101,11 @@ void require_scale(const OrderedJson& factor) {
     throw InputError("--levels: to choose from, expected four numbers or more of " +
                      factor["name"].get<std::string>() + ", rising from hard to easy, got " +
                      levels.dump());
+  }
+  if (levels.front() != natural) {
+    throw InputError("--levels: to choose from, expected levels of " +
+                     factor["name"].get<std::string>() + " that rise from what looks natural, " +
+                     natural.dump() + " as in the scene, got " + levels.dump());
   }
 }
 
@@ -129,13 +134,13 @@ OrderedJson quest_plus_of(const OrderedJson& levels, bool two_intervals) {
           {"guess_rates", guesses},   {"lapse_rates", OrderedJson::array({0.02})}};
 }
 
-OrderedJson adaptive_of(const OrderedJson& factor, LevelChoice choice, bool two_intervals) {
-  require_scale(factor);
+OrderedJson adaptive_of(const OrderedJson& factor, const AskedDesign& asked) {
+  require_scale(factor, asked.natural);
   OrderedJson adaptive{{"factor", factor["name"]}, {"trials_per_track", kTrialsPerTrack}};
-  if (choice == LevelChoice::kStaircase) {
-    adaptive["staircase"] = staircase_of(factor["levels"], two_intervals);
+  if (asked.choice == LevelChoice::kStaircase) {
+    adaptive["staircase"] = staircase_of(factor["levels"], asked.two_intervals);
   } else {
-    adaptive["quest_plus"] = quest_plus_of(factor["levels"], two_intervals);
+    adaptive["quest_plus"] = quest_plus_of(factor["levels"], asked.two_intervals);
   }
   return adaptive;
 }
@@ -169,18 +174,38 @@ OrderedJson factors_from(const std::vector<std::string>& vary, const OrderedJson
   return factors;
 }
 
-OrderedJson design_of(const OrderedJson& factors, LevelChoice choice, bool two_intervals) {
+OrderedJson natural_level(const OrderedJson& factor, const OrderedJson& scene) {
+  const OrderedJson& levels = factor["levels"];
+  const OrderedJson::json_pointer place(factor.value("pointer", std::string()));
+  const OrderedJson own = scene.contains(place) ? scene.at(place) : OrderedJson();
+  const auto distance = [&](const OrderedJson& level) {
+    return level.is_number() && own.is_number() ? std::abs(level.get<double>() - own.get<double>())
+                                                : (level == own ? 0.0 : 1.0);
+  };
+  return *std::min_element(levels.begin(), levels.end(), [&](const auto& one, const auto& other) {
+    return distance(one) < distance(other);
+  });
+}
+
+OrderedJson design_of(const OrderedJson& factors, const AskedDesign& asked) {
   double cells = 1.0;
   for (const OrderedJson& factor : factors) {
     cells *= static_cast<double>(factor["levels"].size());
   }
-  const auto repetitions =
-      choice == LevelChoice::kAll ? std::max<std::int64_t>(2, std::llround(kTrials / cells)) : 1;
-  OrderedJson design{{"factors", factors},
-                     {"repetitions", repetitions},
-                     {"practice", {end_condition(factors, false), end_condition(factors, true)}}};
-  if (choice != LevelChoice::kAll) {
-    design["adaptive"] = adaptive_of(factors.front(), choice, two_intervals);
+  const auto repetitions = asked.choice == LevelChoice::kAll
+                               ? std::max<std::int64_t>(2, std::llround(kTrials / cells))
+                               : 1;
+  OrderedJson practice = OrderedJson::array();
+  for (const bool last : {false, true}) {
+    OrderedJson condition = end_condition(factors, last);
+    if (!asked.two_intervals || condition.front() != asked.natural) {
+      practice.push_back(std::move(condition));
+    }
+  }
+  OrderedJson design{
+      {"factors", factors}, {"repetitions", repetitions}, {"practice", std::move(practice)}};
+  if (asked.choice != LevelChoice::kAll) {
+    design["adaptive"] = adaptive_of(factors.front(), asked);
   }
   return design;
 }

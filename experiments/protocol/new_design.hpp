@@ -32,8 +32,19 @@ LevelChoice level_choice(const std::string& name);
 OrderedJson factors_from(const std::vector<std::string>& vary, const OrderedJson& offered,
                          LevelChoice choice);
 
-/// The design of about sixty trials, or of a track for each condition. `two_intervals`: half of
-/// all answers are right by chance. Throws InputError where levels cannot be chosen from.
-OrderedJson design_of(const OrderedJson& factors, LevelChoice choice, bool two_intervals);
+/// The factor's level that is nearest to what the scene itself says; the first where it says
+/// nothing. By it others are judged.
+OrderedJson natural_level(const OrderedJson& factor, const OrderedJson& scene);
+
+/// What a design is made for.
+struct AskedDesign {
+  LevelChoice choice{LevelChoice::kAll};
+  bool two_intervals{false};  ///< half of all answers are right by chance
+  OrderedJson natural;        ///< of the first factor: natural_level()
+};
+
+/// The design of about sixty trials, or of a track for each condition. Of two intervals no practice
+/// shows twice the same. Throws InputError where levels cannot be chosen from.
+OrderedJson design_of(const OrderedJson& factors, const AskedDesign& asked);
 
 }  // namespace impetus::inline protocol

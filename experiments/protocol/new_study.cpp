@@ -89,15 +89,14 @@ std::string question_words(const OrderedJson& ask, bool of_many) {
 }
 
 /// `block` with the question's words, and what else the kind needs.
-OrderedJson asked_block(const OrderedJson& ask, const OrderedJson& factors, bool of_many,
-                        const std::string& question) {
+OrderedJson asked_block(const OrderedJson& ask, const OrderedJson& factors,
+                        const OrderedJson& natural, bool of_many, const std::string& question) {
   OrderedJson block = ask["block"];
   if (block.contains("question")) {
     block["question"] = question.empty() ? question_words(ask, of_many) : question;
   }
   if (ask["key"] == "two_interval") {
-    const OrderedJson& first = factors.front();
-    block["standard"] = {{first["name"].get<std::string>(), first["levels"].front()}};
+    block["standard"] = {{factors.front()["name"].get<std::string>(), natural}};
   }
   return block;
 }
@@ -124,8 +123,9 @@ OrderedJson number_entry(double value, const char* unit) {
           {"source", "assumed by `impetus new`; put your own"}};
 }
 
-/// Its function runs over the levels of the factor: half-way in their middle.
-OrderedJson observer_of(const OrderedJson& factor) {
+/// Its function runs over the levels of the factor: half-way in their middle. `falling`: what is
+/// asked is seen the more rarely, the higher the level is.
+OrderedJson observer_of(const OrderedJson& factor, bool falling) {
   const OrderedJson& levels = factor["levels"];
   OrderedJson of{{"factor", factor["name"]}};
   double least = 1.0;
@@ -147,7 +147,7 @@ OrderedJson observer_of(const OrderedJson& factor) {
            "is. With \"falling\": true, yes becomes rarer as the level rises."},
           {"of", of},
           {"function", "normal"},
-          {"falling", false},
+          {"falling", falling},
           {"parameters",
            {{"threshold", number_entry((least + most) / 2.0, "as the factor's")},
             {"slope", number_entry((most - least) / 4.0, "as the factor's")},
@@ -227,25 +227,33 @@ std::map<std::string, std::string> make_study(const StudyChoices& choices) {
   const LevelChoice levels = level_choice(choices.levels);
   require_detection(ask, choices);
   const OrderedJson factors = factors_from(choices.vary, shown["vary"], levels);
-  const OrderedJson block = asked_block(ask, factors, shown.contains("of_many"), choices.question);
+  const OrderedJson scene = scene_of(shown);
+  const OrderedJson natural = natural_level(factors.front(), scene);
+  const OrderedJson block =
+      asked_block(ask, factors, natural, shown.contains("of_many"), choices.question);
   OrderedJson protocol = shared["protocol"];
   protocol["name"] = choices.name;
   protocol["title"] = choices.name + ": " + block.value("question", ask["does"].get<std::string>());
-  protocol["design"] = design_of(factors, levels, ask["key"] == "two_interval");
+  protocol["design"] = design_of(factors, {levels, ask["key"] == "two_interval", natural});
   protocol[ask["key"].get<std::string>()] = block;
   if (shown.contains("gaze")) {
     add_gaze(shared["gaze"], protocol);
   }
   replace_words(protocol, "THINGS", shown["things"]);
   replace_words(protocol, "SEES", shown["sees"]);
+  if (ask.contains("advice")) {
+    protocol["session"]["instructions"].back()["paragraphs"].back() = ask["advice"];
+  }
   replace_words(protocol, "DOES", ask["does"]);
   if (choices.language != "en") {
     protocol["language"] = choices.language;
   }
   std::map<std::string, std::string> files{
       {"protocol.json", file_text(protocol)},
-      {"scene.json", file_text(scene_of(shown))},
-      {"observer.json", file_text(observer_of(factors.front()))}};
+      {"scene.json", file_text(scene)},
+      {"observer.json",
+       file_text(observer_of(factors.front(), ask.contains("detects") &&
+                                                  natural == factors.front()["levels"].back()))}};
   for (const auto& name : shown.value("files", std::vector<std::string>())) {
     files.emplace(name, name.ends_with(kSuffix) ? file_text(shipped_stimulus(name))
                                                 : find_carried("stimuli/" + name).value());

@@ -294,9 +294,9 @@ std::string told_before(const std::vector<Field>& demographics) {
   for (const Field& field : demographics) {
     std::string values = field.kind == Field::Kind::kText ? "in own words" : "";
     if (field.kind == Field::Kind::kNumber) {
-      const bool bounded = field.minimum > Field{}.minimum || field.maximum < Field{}.maximum;
-      values =
-          bounded ? number_words(field.minimum) + " to " + number_words(field.maximum) : "a number";
+      values = field.has_range()
+                   ? number_words(field.minimum) + " to " + number_words(field.maximum)
+                   : "a number";
     }
     for (const std::string& option : field.options) {
       values += (values.empty() ? "" : ", ") + markdown_text(option);

@@ -39,6 +39,13 @@ struct Field {
   std::vector<std::string> options;  ///< of a kChoice; of a kSlider, words spread along its line
   double minimum{-1e9};              ///< of a kNumber or a kSlider
   double maximum{1e9};
+  std::string answer{};  ///< it begins with: of a page that is shown again what was filled in
+
+  /// Whether a number has to lie within the two.
+  [[nodiscard]] bool has_range() const {
+    const Field any;
+    return minimum < maximum && (minimum > any.minimum || maximum < any.maximum);
+  }
 };
 
 /// A point that was looked at and where the gaze was, in screens: right of and above the centre.

@@ -19,13 +19,17 @@ std::optional<Answer> Conversation::ask(const Page& page) {
   if (says_nothing(page)) {
     return Answer{};
   }
+  Page shown = page;
   while (true) {
-    Answer answer = input_.ask(page);
+    Answer answer = input_.ask(shown);
     if (answer.interruption == Interruption::kNone) {
       return answer;
     }
     if (!handle(answer.interruption)) {
       return std::nullopt;
+    }
+    for (std::size_t i = 0; i < answer.fields.size(); ++i) {
+      shown.fields[i].answer = answer.fields[i];
     }
   }
 }

@@ -111,7 +111,9 @@ bool PracticePart::practise_rounds() {
     if (missing.empty()) {
       return trials_.summarise_practice();
     }
-    if (round < last_round && !sitting_.ask(practice_again(missing, sitting_.progress()))) {
+    const bool begins = round < last_round &&
+                        sitting_.standing.trials_of(TrialPhase::kPractice, round + 1).done == 0;
+    if (begins && !sitting_.ask(practice_again(missing, sitting_.progress()))) {
       return false;
     }
   }

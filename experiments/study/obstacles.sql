@@ -8,7 +8,8 @@ SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' 
   JOIN participant ON participant.id = participant_id
   WHERE finished_utc IS NULL
     AND NOT EXISTS (SELECT 1 FROM excluded WHERE participant = pseudonym AND trial IS NULL)
-    AND NOT EXISTS (SELECT 1 FROM session WHERE enrolment_id = enrolment.id AND ending = 'declined'
+    AND NOT EXISTS (SELECT 1 FROM session WHERE ending = 'declined' AND id =
+      (SELECT max(last.id) FROM session AS last WHERE last.enrolment_id = enrolment.id)
       AND NOT EXISTS (SELECT 1 FROM attempt WHERE session_id = session.id))
   HAVING count(*) > 0;
 

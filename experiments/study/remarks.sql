@@ -7,7 +7,8 @@ SELECT count(*) || ' of ' || (SELECT count(*) FROM participant) || ' participant
 
 SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' ||
     iif(count(*) = 1, 'was', 'were') || ' declined: no consent, and no trial' FROM enrolment
-  WHERE EXISTS (SELECT 1 FROM session WHERE enrolment_id = enrolment.id AND ending = 'declined')
+  WHERE EXISTS (SELECT 1 FROM session WHERE ending = 'declined' AND id =
+      (SELECT max(last.id) FROM session AS last WHERE last.enrolment_id = enrolment.id))
     AND NOT EXISTS (SELECT 1 FROM attempt JOIN session ON session.id = session_id
       WHERE enrolment_id = enrolment.id)
   HAVING count(*) > 0;

@@ -142,9 +142,13 @@ class SetupScreen final : public ViewerScreen {
     const ScreenGeometry& size = initial.geometry;
     const std::array<double, kMeasures> start{size.width_m, size.height_m, size.viewing_distance_m};
     for (std::size_t i = 0; i < kMeasures; ++i) {
-      fields_.emplace_back(
-          Field{kPlausible[i].name, kPlausible[i].label, Field::Kind::kNumber, {}, 0.0, 0.0});
-      fields_.back().set_answer(centimetres(start[i]));
+      fields_.emplace_back(Field{kPlausible[i].name,
+                                 kPlausible[i].label,
+                                 Field::Kind::kNumber,
+                                 {},
+                                 0.0,
+                                 0.0,
+                                 centimetres(start[i])});
     }
   }
 

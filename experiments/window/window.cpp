@@ -117,12 +117,12 @@ class PageTurn {
     return static_cast<double>(last_flip_ns_ - answer_.shown_ns) / 1e6;
   }
 
-  /// What was pressed while the last frame was waited for still counts.
+  /// What was pressed or clicked while the last frame was waited for still counts.
   bool time_is_up() {
     if (page_.timeout_ms <= 0.0 || elapsed_ms() < page_.timeout_ms) {
       return false;
     }
-    if (!take_events()) {
+    if (!take_events() && !take_click(view_.take_input())) {
       answer_.timed_out = true;
       answer_.device = "none";
       answer_.arrived_ns = last_flip_ns_;
@@ -151,6 +151,7 @@ class PageTurn {
       return answer_with(*choice, "key", event);
     }
     if (key.sym == SDLK_ESCAPE && page_.can_pause) {
+      static_cast<void>(view_.take_input());  // for when the page is shown again
       answer_.interruption = Interruption::kPauseRequested;
       note_arrival("key", event);
       return true;

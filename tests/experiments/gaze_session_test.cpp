@@ -138,6 +138,20 @@ TEST(GazeSession, ARoundDoneInAnEarlierSessionCounts) {
   EXPECT_EQ(lab.recorder.attempts.size(), 12U);
 }
 
+TEST(GazeSession, WhoComesBackAfterAllRoundsIsNotToldToPractiseOnceMore) {
+  PracticeLab lab;
+  SessionHistory history;
+  history.resumed = true;
+  for (std::int64_t slot = 1; slot <= 12; ++slot) {
+    history.completed_slots.insert(slot);
+    history.practice[slot] = {{}, 1, 0};  // never a click
+  }
+  EXPECT_EQ(lab.run(history).ending, SessionEnding::kFinished);
+  EXPECT_EQ(lab.practised(), 0);
+  EXPECT_EQ(lab.titled("Once more"), 0);
+  EXPECT_EQ(lab.titled("Please call the experimenter"), 1);
+}
+
 TEST(GazeSession, DemonstrationsAreShownNamedAndAgainOnRequest) {
   PracticeLab lab;
   bool again = true;

@@ -38,12 +38,17 @@ function fieldOf(field, index) {
   } else {
     input = element('textarea', {id, rows: 3, maxLength: 10000});
   }
+  if (field.answer) {
+    input.value = field.answer;
+    input.classList.remove('unset');
+  }
   const problem = element('p', {className: 'problem', id: `${id}-problem`});
   input.setAttribute('aria-describedby', problem.id);
   const label = field.label ? element('label', {htmlFor: id, textContent: field.label}) : null;
   if (!field.label) input.setAttribute('aria-labelledby', 'question');
   const words = field.kind !== 'slider' ? null : element('div', {className: 'anchors'},
     ...field.options.map((textContent) => element('span', {textContent})));
+  if (words) words.style.gridTemplateColumns = `1fr${' 2fr'.repeat(field.options.length - 2)} 1fr`;
   return element('div', {className: 'field'}, label, input, words, problem);
 }
 

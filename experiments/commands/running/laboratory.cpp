@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/laboratory.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 
 #include "experiments/commands/running/chosen_screen.hpp"
@@ -12,6 +13,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
 #include "experiments/window/audio_device.hpp"
+#include "experiments/window/display.hpp"
 #include "experiments/window/window.hpp"
 #endif
 
@@ -177,7 +179,19 @@ class WindowLaboratory final : public Laboratory {
       save_screen(*entered, file);
     }
     light_ = load_screen(file).light;
+    tell_smaller_window();
     return load_screen_of(file, window_.width_px(), window_.height_px());
+  }
+
+  void tell_smaller_window() const {
+    const DisplayMode display = display_mode();
+    if (display.width_px != window_.width_px() || display.height_px != window_.height_px()) {
+      std::fprintf(
+          stderr,
+          "warning: --window: the screen's measures are taken as those of the window, %d x "
+          "%d of the display's %d x %d pixels\n",
+          window_.width_px(), window_.height_px(), display.width_px, display.height_px);
+    }
   }
 
   SteadyClock clock_;

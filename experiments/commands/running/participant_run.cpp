@@ -121,16 +121,15 @@ void conclude(const SessionResult& result, const RunOptions& options, StudyWrite
       return;
     case SessionEnding::kQuit:
       writer.end("quit");
-      std::printf(
-          "Stopped with %lld of %lld trials saved; the same command goes on with the next.\n", done,
-          total);
+      std::printf("Stopped with %lld of %lld trials saved; the same command goes on.\n", done,
+                  total);
       return;
     default:
       writer.end("display closed");
       throw InputError("the window was closed with " + std::to_string(done) + " of " +
                        std::to_string(total) + " trials saved in " + options.database + " (" +
                        sitting_words(options.participant, {writer.session_id()}) +
-                       "); the same command goes on with the next");
+                       "); the same command goes on");
   }
 }
 

@@ -343,7 +343,9 @@ void add_run(CLI::App& app, Command& chosen) {
       "--screen", options->screen_file,
       "The lab's screen file (default: what `impetus screen` saved; without a window, an "
       "assumed screen)");
-  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option("--window", options->window_size,
+                      "WIDTHxHEIGHT instead of fullscreen; the screen's measures are then taken as "
+                      "the window's");
   command->add_option(
       "--photodiode", options->photodiode,
       "A corner, such as \"bottom left\", for a square whose light tells each frame");

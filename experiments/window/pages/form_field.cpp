@@ -61,6 +61,18 @@ std::string trimmed(std::string text) {
 
 }  // namespace
 
+FormField::FormField(Field field, Language language)
+    : field_(std::move(field)), language_(std::move(language)) {
+  const auto chosen = std::find(field_.options.begin(), field_.options.end(), field_.answer);
+  if (takes_text()) {
+    text_ = field_.answer;
+  } else if (field_.kind == Field::Kind::kSlider) {
+    mark_ = typed_number(field_.answer);
+  } else if (chosen != field_.options.end()) {
+    option_ = static_cast<std::size_t>(chosen - field_.options.begin());
+  }
+}
+
 FocusChange FormField::draw(int id, const Gui& gui, std::size_t reading_size, float width_px,
                             bool focused, bool take_keyboard) {
   ImGui::PushID(id);
@@ -166,15 +178,21 @@ FocusChange FormField::draw_slider(ImFont* font, float width_px, bool focused) {
   if (focused) {
     draw_focus_ring(from, from + size_px);
   }
-  const float part_px = width_px / static_cast<float>(field_.options.size());
+  const std::size_t last = field_.options.size() - 1;
+  const float step_px = width_px / static_cast<float>(last);
+  const float inner_px = width_px / static_cast<float>(last + 1);
+  const float end_px = last == 1 ? inner_px : step_px - 0.5F * inner_px;
   float lowest = from.y + size_px.y;
-  for (std::size_t i = 0; i < field_.options.size(); ++i) {
-    const Align align = i == 0                           ? Align::kLeft
-                        : i + 1 == field_.options.size() ? Align::kRight
-                                                         : Align::kCentre;
-    const float left = from.x + std::round(static_cast<float>(i) * part_px);
-    ImGui::SetCursorScreenPos(ImVec2(left, from.y + size_px.y + 0.3F * em_px));
-    draw_text(field_.options[i], font, palette::kText, part_px, align);
+  for (std::size_t i = 0; i <= last; ++i) {
+    const bool is_inner = i > 0 && i < last;
+    const float part_px = is_inner ? inner_px : end_px;
+    const float before = i == 0 ? 0.0F : is_inner ? 0.5F : 1.0F;  // the line's place, in parts
+    const float left = std::round(static_cast<float>(i) * step_px - before * part_px);
+    ImGui::SetCursorScreenPos(ImVec2(from.x + left, from.y + size_px.y + 0.3F * em_px));
+    draw_text(field_.options[i], font, palette::kText, part_px,
+              is_inner ? Align::kCentre
+              : i == 0 ? Align::kLeft
+                       : Align::kRight);
     lowest = std::max(lowest, ImGui::GetCursorScreenPos().y);
   }
   ImGui::SetCursorScreenPos(ImVec2(from.x, lowest));
@@ -235,10 +253,9 @@ bool FormField::check() {
     return true;
   }
   const auto number = typed_number(text_);
-  const bool bounded = field_.minimum < field_.maximum;
   const bool inside =
-      number && (!bounded || (*number >= field_.minimum && *number <= field_.maximum));
-  if (!inside && bounded) {
+      number && (!field_.has_range() || (*number >= field_.minimum && *number <= field_.maximum));
+  if (!inside && field_.has_range()) {
     message_ = language_.text("number_within", {{"least", shown_number(field_.minimum, language_)},
                                                 {"most", shown_number(field_.maximum, language_)}});
   } else if (!inside) {

@@ -19,8 +19,7 @@ enum class FocusChange { kNone, kGained, kLost };
 class FormField {
  public:
   /// `language`: of what is said when an answer is not acceptable.
-  explicit FormField(Field field, Language language = {})
-      : field_(std::move(field)), language_(std::move(language)) {}
+  explicit FormField(Field field, Language language = {});
 
   /// Draws label, entry and message at the cursor. `take_keyboard` puts the text cursor into it.
   FocusChange draw(int id, const Gui& gui, std::size_t reading_size, float width_px, bool focused,
@@ -39,8 +38,14 @@ class FormField {
   /// with the field.
   bool check();
 
+  /// The same where a message appeared, which goes once the answer is acceptable.
+  void check_again() {
+    if (!message_.empty()) {
+      static_cast<void>(check());
+    }
+  }
+
   [[nodiscard]] std::string answer() const;
-  void set_answer(const std::string& text) { text_ = text; }
 
  private:
   void draw_message(ImFont* font) const;

@@ -24,7 +24,8 @@ PageView::PageView(const Page& page, Gui& gui) : page_(page), gui_(gui) {
     ++reading_size_;
   }
   if (!fields_.empty()) {
-    focus_on(0);
+    focus_ = 0;
+    focus_moved_ = true;
   }
 }
 
@@ -38,7 +39,11 @@ std::optional<std::size_t> PageView::draw() {
   draw_words(gui_, page_, reading_size_);
   draw_point_map(gui_, page_.point_map, page_.progress.language);
   draw_fields(column);
+  const float choices_top = ImGui::GetCursorScreenPos().y;
   const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_});
+  if (seeks_focus_ && focused_choice()) {
+    scroll_to(choices_top, ImGui::GetCursorScreenPos().y);
+  }
   draw_time_left(column);
   content_px_ = ImGui::GetCursorScreenPos().y - top;
   ImGui::PopFont();
@@ -85,7 +90,7 @@ bool PageView::may_leave_by(std::size_t choice) {
     was_hasty_ = true;
     return false;
   }
-  take_what_was_typed();
+  static_cast<void>(take_input());
   if (page_.choices[choice].key == "escape") {
     return true;
   }
@@ -116,14 +121,20 @@ float PageView::measure() {
   return content_px_;
 }
 
-void PageView::take_what_was_typed() {
-  do {
-    measure();
-  } while (gui_.input_waits());
+std::optional<std::size_t> PageView::take_input() {
+  constexpr int kOfAClick = 2;  // a button that went down and up again is seen down, then up
+  std::optional<std::size_t> clicked;
+  for (int drawn = 0; drawn < kOfAClick || gui_.input_waits(); ++drawn) {
+    gui_.begin();
+    const auto now = draw();
+    gui_.discard();
+    clicked = clicked ? clicked : now;
+  }
+  return clicked;
 }
 
 void PageView::leave_field() {
-  take_what_was_typed();
+  static_cast<void>(take_input());
   focus_on(*focus_ + (fields_[*focus_].check() ? 1 : 0));
 }
 
@@ -139,6 +150,9 @@ void PageView::draw_fields(const Column& column) {
     const int id = static_cast<int>(page_.choices.size() + i);
     const FocusChange change =
         fields_[i].draw(id, gui_, reading_size_, column.width, focused, focused && focus_moved_);
+    if (focused && seeks_focus_) {
+      scroll_to(at.y, ImGui::GetCursorScreenPos().y);
+    }
     if (change == FocusChange::kGained) {
       focus_ = i;
     } else if (change == FocusChange::kLost && focus_ == i) {
@@ -146,6 +160,15 @@ void PageView::draw_fields(const Column& column) {
     }
   }
   focus_moved_ = false;
+}
+
+void PageView::scroll_to(float top, float bottom) {
+  const float margin = std::round(kMarginShare * gui_.height());
+  const float below = bottom - (margin + visible_height());
+  const float above = margin - top;
+  const float wanted = scroll_px_ + (below > 0.0F ? below : 0.0F) - (above > 0.0F ? above : 0.0F);
+  scroll_px_ = std::round(std::clamp(wanted, 0.0F, longest_scroll()));
+  seeks_focus_ = false;
 }
 
 void PageView::draw_time_left(const Column& column) const {
@@ -212,6 +235,10 @@ std::optional<std::size_t> PageView::focused_choice() const {
 }
 
 void PageView::move_focus(bool back) {
+  if (focused_field() != nullptr) {
+    static_cast<void>(take_input());
+    focused_field()->check_again();
+  }
   const std::size_t stops = fields_.size() + page_.choices.size();
   if (stops > 0) {
     const std::size_t from = focus_.value_or(back ? 0 : stops - 1);
@@ -222,6 +249,7 @@ void PageView::move_focus(bool back) {
 void PageView::focus_on(std::optional<std::size_t> stop) {
   focus_ = stop;
   focus_moved_ = true;
+  seeks_focus_ = true;
 }
 
 }  // namespace impetus::inline window

@@ -31,6 +31,10 @@ class PageView {
   /// Lays out and draws the page within the present frame. Returns the choice that was clicked.
   std::optional<std::size_t> draw();
 
+  /// Takes what was typed and clicked since the page was drawn, without showing it. Returns the
+  /// choice that was clicked.
+  std::optional<std::size_t> take_input();
+
   /// What a key press does; returns the choice that it makes.
   std::optional<std::size_t> press(const SDL_Keysym& key);
 
@@ -57,13 +61,13 @@ class PageView {
   /// Lays the page out without showing it; its height.
   float measure();
 
-  /// What was typed just before has reached the fields.
-  void take_what_was_typed();
-
   /// To the next field, once this one is filled in as it expects.
   void leave_field();
 
   void draw_fields(const Column& column);
+
+  /// Scrolls, before the next drawing, to what lies between these heights of this one.
+  void scroll_to(float top, float bottom);
 
   /// Shrinks towards the middle, where the eyes are.
   void draw_time_left(const Column& column) const;
@@ -79,6 +83,7 @@ class PageView {
   [[nodiscard]] bool text_is_entered();
   [[nodiscard]] std::optional<std::size_t> focused_choice() const;
   void move_focus(bool back);
+  /// Puts the focus there, and scrolls to it.
   void focus_on(std::optional<std::size_t> stop);
 
   const Page& page_;
@@ -86,6 +91,7 @@ class PageView {
   std::vector<FormField> fields_;
   std::optional<std::size_t> focus_;
   bool focus_moved_{false};
+  bool seeks_focus_{false};  ///< it may be out of sight
   std::optional<std::size_t> chosen_;
   double time_left_{1.0};
   std::size_t reading_size_{0};

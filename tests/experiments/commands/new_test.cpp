@@ -52,6 +52,32 @@ TEST(New, LevelsAreChosenByWhatIsAnswered) {
   }
 }
 
+TEST(New, OfTwoIntervalsTheStandardIsWhatTheSceneSaysAndNoPracticeShowsItTwice) {
+  const auto protocol_of = [](const char* shown, const std::string& factor) {
+    return nlohmann::json::parse(
+        make_study({"mine", shown, {factor}, "two-interval", "", "en"}).at("protocol.json"));
+  };
+  const nlohmann::json by_level = protocol_of("two-blocks", "level");
+  EXPECT_EQ(by_level["two_interval"]["standard"], nlohmann::json({{"level", 4}}));
+  EXPECT_EQ(by_level["design"]["practice"], nlohmann::json::array({{{"level", 0}}}));
+  EXPECT_EQ(by_level.dump().find("no right or wrong"), std::string::npos);
+  const nlohmann::json by_delay = protocol_of("two-balls", "delay_ms");
+  EXPECT_EQ(by_delay["two_interval"]["standard"], nlohmann::json({{"delay_ms", 0}}));
+  EXPECT_EQ(by_delay["design"]["practice"], nlohmann::json::array({{{"delay_ms", 200}}}));
+  const nlohmann::json between = protocol_of("two-blocks", "speed_percent");
+  EXPECT_EQ(between["two_interval"]["standard"], nlohmann::json({{"speed_percent", 100}}));
+  EXPECT_EQ(between["design"]["practice"].size(), 2U);
+}
+
+TEST(New, LevelsThatRiseToWhatLooksNaturalAreNotChosenFrom) {
+  EXPECT_EQ(
+      refusal([] {
+        make_study({"mine", "two-blocks", {"level=0,1,2,3,4"}, "detection", "", "en", "staircase"});
+      }),
+      "--levels: to choose from, expected levels of level that rise from what looks natural, "
+      "4 as in the scene, got [0,1,2,3,4]");
+}
+
 TEST(New, WhoFollowsTheGazeSaysSoBeforeConsent) {
   const auto protocol_of = [](const char* shown) {
     return nlohmann::json::parse(

@@ -205,6 +205,23 @@ TEST(Session, QuittingAsksFirstAndNoGoesBack) {
   EXPECT_EQ(pauses, 2);
 }
 
+TEST(Session, AFormThatIsShownAgainAfterAPauseHasWhatWasFilledIn) {
+  TestLab lab;
+  std::vector<std::string> begins_with;
+  lab.input.on_page = [&](const Page& page) {
+    Answer answer;
+    if (page.title == "About you") {
+      begins_with.push_back(page.fields.front().answer);
+      answer.fields = {"33"};
+      answer.interruption =
+          begins_with.size() == 1 ? Interruption::kPauseRequested : Interruption::kNone;
+    }
+    return answer;
+  };
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kFinished);
+  EXPECT_EQ(begins_with, (std::vector<std::string>{"", "33"}));
+}
+
 TEST(Session, QuitThenResumeContinuesAtTheNextTrialInThePlannedOrder) {
   const Plan plan = short_plan(causality(), 5);
   TestLab first;

@@ -277,6 +277,9 @@ TEST(Verify, WhoDeclinedIsRemarkedAndHasNoTrial) {
   }
   EXPECT_TRUE(
       remarked(folder / "a.sqlite", "1 of 1 enrolments was declined: no consent, and no trial"));
+  StudyWriter(at.study, at.enrolment, facts()).end("quit");  // who comes back takes part
+  EXPECT_FALSE(
+      remarked(folder / "a.sqlite", "1 of 1 enrolments was declined: no consent, and no trial"));
   const VerifiedStudy study;
   EXPECT_EQ(first_failure(study.tampered("UPDATE session SET ending = 'declined' WHERE id = 2")),
             "order: P02, causality, session 2: ended as declined, but has trials");
