@@ -175,13 +175,8 @@ void check_scene(const std::filesystem::path& file) {
                   : (two_digits(floor_ms(staged, ThreadClock())) + " ms on this machine").c_str());
 }
 
-bool is_scene(const std::filesystem::path& file) {
-  const JsonDocument document = read_json(file);
-  return document.value.is_object() && document.value.contains("engine") && !is_protocol(document);
-}
-
 void check_one(const std::filesystem::path& file, const CheckOptions& options) {
-  if (is_scene(file)) {
+  if (is_scene(read_json(file))) {
     check_scene(file);
     return;
   }

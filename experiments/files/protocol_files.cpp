@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/files/scene_files.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
@@ -66,7 +67,12 @@ MoreFiles files_of_design(const Protocol& protocol) {
 }  // namespace
 
 Protocol load_protocol(const std::filesystem::path& path) {
-  return protocol_from(read_json(path), path);
+  JsonDocument document = read_json(path);
+  if (is_scene(document)) {
+    throw InputError(document.name +
+                     ": expected a protocol, got a scene, which impetus preview shows");
+  }
+  return protocol_from(std::move(document), path);
 }
 
 Protocol protocol_from(JsonDocument document, const std::filesystem::path& path,

@@ -10,9 +10,14 @@
 
 namespace impetus::inline protocol {
 
-/// Whether a file is a protocol, by its design, where a scene may be meant.
+/// Whether a file is a protocol, by its design, or a scene, by its engine, where the other may be
+/// meant.
 inline bool is_protocol(const JsonDocument& document) {
   return document.value.is_object() && document.value.contains("design");
+}
+
+inline bool is_scene(const JsonDocument& document) {
+  return document.value.is_object() && document.value.contains("engine") && !is_protocol(document);
 }
 
 /// The first place at which a scene breaks its schema, or a figure that it holds breaks its own.

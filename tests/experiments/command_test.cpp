@@ -67,6 +67,10 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
        causality_file() + ": expected a scene, got a protocol, whose scene is "
                           "../stimuli/two-spheres.json; impetus "
                           "check explains a protocol, impetus run shows it"},
+      {{"run", source_folder() + "/stimuli/two-spheres.json", "--db", "a.sqlite", "--participant",
+        "P01"},
+       source_folder() + "/stimuli/two-spheres.json" +
+           ": expected a protocol, got a scene, which impetus preview shows"},
       {{"--threads", "0", "check", causality_file()}, "--threads: Value 0 not in range 1 to 64"},
       {{"--threads", "010", "check", causality_file()},
        "--threads: expected a whole number without a 0 before it, got 010"},
