@@ -41,7 +41,8 @@ std::optional<std::size_t> PageView::draw() {
   draw_fields(column);
   const float choices_top = ImGui::GetCursorScreenPos().y;
   const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_});
-  if (seeks_focus_ && focused_choice()) {
+  const bool is_to_be_read = page_.choice_at_end && !end_was_seen_;
+  if (seeks_focus_ && focused_choice() && !is_to_be_read) {
     scroll_to(choices_top, ImGui::GetCursorScreenPos().y);
   }
   draw_time_left(column);
