@@ -64,8 +64,7 @@ with_clicked_trials <- function(path) {
 # Only the trials of two levels of a factor, where the question compares those.
 with_levels_compared <- function(part, compared) {
   if (length(compared) == 0) return(part)
-  column <- part$factors[compared[1]]
-  if (is.na(column)) column <- compared[1]
+  column <- columns_of(part, compared[1])
   part$trials <- part$trials[as.character(part$trials[[column]]) %in% compared[2:3], ]
   part$trials[part$factors] <- lapply(part$trials[part$factors], droplevels)
   part
@@ -78,19 +77,28 @@ first_participants <- function(part, count) {
   part
 }
 
+# The columns of a part that hold these factors of the protocol (with_every_factor).
+columns_of <- function(part, factors) {
+  renamed <- paste0("factor_", factors)
+  ifelse(renamed %in% part$factors & !factors %in% part$factors, renamed, factors)
+}
+
 # One row per factor tested: factor, p (NA: no test could be made), method, remark.
 power_tests <- function(part, question) {
-  tested <- if (length(question$compared) > 0) question$compared[1] else
-    if (length(question$factors) > 0) question$factors else
+  tested <- if (length(question$compared) > 0) columns_of(part, question$compared[1]) else
+    if (length(question$factors) > 0) columns_of(part, question$factors) else
       if (part$response == "threshold") part$split else unname(part$factors)
   if (length(tested) == 0) {
     refuse(part$file, ": expected a factor between whose levels the ", part$response,
       "s can be compared, got none")
   }
-  if (part$response == "threshold") return(power_tests_of_thresholds(part, tested, question))
-  if (question$model == "mixed") return(power_tests_of_models(part, tested))
-  power_tests_of_means(part$trials, tested, switch(part$response, rating = "rating",
-    clicks = "click_rate", "positive"))
+  rows <- if (part$response == "threshold") power_tests_of_thresholds(part, tested, question) else
+    if (question$model == "mixed") power_tests_of_models(part, tested) else
+      power_tests_of_means(part$trials, tested, switch(part$response, rating = "rating",
+        clicks = "click_rate", "positive"))
+  own <- sub("^factor_", "", rows$factor)
+  rows$factor <- ifelse(columns_of(part, own) == rows$factor, own, rows$factor)
+  rows
 }
 
 power_row <- function(factor, p, method, remark = "") {

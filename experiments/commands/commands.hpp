@@ -7,7 +7,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,6 +34,9 @@ inline CLI::Validator number_from(double least, double most) {
       },
       range.get_description());
 }
+
+/// A study file keeps seeds as signed numbers.
+inline constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 /// Adds a subcommand; parsing it puts into `chosen` that `action` is done on its options. Returns
 /// the subcommand, and the options, which it keeps.

@@ -1,7 +1,7 @@
 // `impetus mesh check`: whether a mesh file can be simulated, and the solid's mass properties.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include "experiments/commands/commands.hpp"
@@ -18,12 +18,24 @@ int refuse(const std::string& file, const std::string& reason) {
   return kFound;
 }
 
+int check_one(const std::string& file) {
+  try {
+    const MeshReport report = report_mesh(load_mesh(file));
+    std::printf("%s\n%s", file.c_str(), describe(report).c_str());
+    return report.usable() ? kDone : refuse(file, refusal(report));
+  } catch (const InputError& unreadable) {
+    std::fflush(stdout);
+    std::fprintf(stderr, "impetus: %s\n", unreadable.what());
+    constexpr int kRefused = 2;  // as where a command is refused whole
+    return kRefused;
+  }
+}
+
+/// Of all files; the worst status.
 int check(const std::vector<std::string>& files) {
   int status = kDone;
   for (const std::string& file : files) {
-    const MeshReport report = report_mesh(load_mesh(file));
-    std::printf("%s\n%s", file.c_str(), describe(report).c_str());
-    status = report.usable() ? status : refuse(file, refusal(report));
+    status = std::max(status, check_one(file));
   }
   return status;
 }

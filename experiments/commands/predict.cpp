@@ -1,6 +1,7 @@
 // `impetus predict`: what comes of each condition of a protocol whose scenes have a goal, what
 // would come of it without the other body, and what a simulated participant expects.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -67,14 +68,14 @@ std::vector<Shown> shown_by(const Protocol& protocol) {
 /// Its levels but those that are the same in all.
 std::string words_of(const Condition& condition, const std::vector<Shown>& all) {
   std::string words;
-  for (std::size_t i = 0; i < condition.size(); ++i) {
-    bool varies = false;
-    for (const Shown& other : all) {
-      varies = varies || !(other.condition[i] == condition[i]);
-    }
+  for (const FactorLevel& level : condition) {
+    const bool varies = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
+      const FactorLevel* own = find_level(other.condition, level.factor);
+      return own != nullptr &&
+             !(*own == level);  // practice has none of factors between participants
+    });
     if (varies) {
-      words +=
-          (words.empty() ? "" : ", ") + condition[i].factor + " " + to_text(condition[i].value);
+      words += (words.empty() ? "" : ", ") + level.factor + " " + to_text(level.value);
     }
   }
   return words.empty() ? "all" : words;
@@ -185,7 +186,9 @@ void add_predict(CLI::App& app, Command& chosen) {
   command->add_option("--runs", options->runs, "Imagined runs for each condition")
       ->capture_default_str()
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
-  command->add_option("--seed", options->seed, "Of what is imagined")->capture_default_str();
+  command->add_option("--seed", options->seed, "Of what is imagined")
+      ->capture_default_str()
+      ->check(CLI::Range(std::uint64_t{0}, kLargestSeed));
   command->add_option("--paths", options->paths,
                       "Writes where each body is at each step, in pixels of the plane (CSV)");
 }

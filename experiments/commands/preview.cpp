@@ -79,11 +79,7 @@ void print_luminance(const ScreenLight& light, const Pixels& picture) {
 void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
   require_new_file(options.picture);
   const ScreenGeometry screen = chosen_screen(options.screen_file);
-  PictureSize size;
-  size.width_px = picture_px("--width", options.width_px, 1280);
-  size.height_px =
-      picture_px("--height", options.height_px,
-                 static_cast<int>(std::lround(size.width_px * screen.height_m / screen.width_m)));
+  const PictureSize size = picture_size(options.width_px, options.height_px, screen);
   ShapeLibrary shapes;
   StagedScene staged = build_scene(scene.value, screen, kUnroundedHold, shapes);
   if (!(options.at_s >= 0.0 && options.at_s <= staged.duration_s)) {

@@ -213,6 +213,20 @@ void keep_promised_readers(Assimp::Importer& importer) {
   }
 }
 
+/// A binary PLY file whose body begins as a line ends, which assimp would pass over (it begins so
+/// where the first number is 0.02 or 0.64): with another before it, which is passed over. "": any
+/// other file.
+std::string ply_with_its_first_byte(const std::filesystem::path& file) {
+  std::string bytes = file_bytes(file);
+  const std::size_t end = bytes.starts_with("ply") ? bytes.find("end_header") : std::string::npos;
+  const std::size_t body = end == std::string::npos ? end : bytes.find('\n', end);
+  if (body == std::string::npos || body + 1 >= bytes.size() || bytes[body + 1] != '\n' ||
+      bytes.substr(0, end).find("format binary") == std::string::npos) {
+    return "";
+  }
+  return bytes.insert(body + 1, 1, '\n');
+}
+
 /// What load_mesh() does beyond keeping itself safe. Precondition: `file` is a file.
 TriangleMesh parse_mesh(const std::filesystem::path& file) {
   refuse_false_claims(file);
@@ -220,7 +234,10 @@ TriangleMesh parse_mesh(const std::filesystem::path& file) {
   Assimp::Importer importer;
   keep_promised_readers(importer);
   importer.SetIOHandler(new ConfinedFiles(file));  // the importer's from now on
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  const std::string ply = ply_with_its_first_byte(file);
+  const aiScene* scene = ply.empty()
+                             ? importer.ReadFile(file.string(), 0)
+                             : importer.ReadFileFromMemory(ply.data(), ply.size(), 0, "ply");
   if (scene == nullptr) {
     const std::string error = importer.GetErrorString();
     if (error.find("bad_alloc") != std::string::npos) {

@@ -315,8 +315,11 @@ std::optional<std::string> missing_for_fit(const ObserverKind& kind,
   }
   const std::string count = std::to_string(trials_of(people)) + " trials";
   if (first == nullptr) {
-    return "completed trials with answers that such a participant gives (a rating, yes or no, a "
-           "choice of two intervals, a mark on a line, clicks), got none";
+    return std::string(
+               "completed trials with answers that such a participant gives and that can ") +
+           "be fitted (a rating, yes or no, a choice of two intervals" +
+           (kind.answers.mark != nullptr ? ", a mark on a line" : "") +
+           (kind.answers.outcomes != nullptr ? ", clicks" : "") + "), got none";
   }
   if (!percepts_differ) {
     return "trials that differ in what the observer looks at (" + kind.attention.words + "), got " +

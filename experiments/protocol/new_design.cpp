@@ -176,6 +176,9 @@ OrderedJson factors_from(const std::vector<std::string>& vary, const OrderedJson
 
 OrderedJson natural_level(const OrderedJson& factor, const OrderedJson& scene) {
   const OrderedJson& levels = factor["levels"];
+  if (levels.front().is_string()) {
+    return levels.front();  // words are offered from the best on
+  }
   const OrderedJson::json_pointer place(factor.value("pointer", std::string()));
   const OrderedJson own = scene.contains(place) ? scene.at(place) : OrderedJson();
   const auto distance = [&](const OrderedJson& level) {

@@ -32,8 +32,8 @@ LevelChoice level_choice(const std::string& name);
 OrderedJson factors_from(const std::vector<std::string>& vary, const OrderedJson& offered,
                          LevelChoice choice);
 
-/// The factor's level that is nearest to what the scene itself says; the first where it says
-/// nothing. By it others are judged.
+/// The factor's level that is nearest to what the scene itself says; the first of words, and where
+/// it says nothing. By it others are judged.
 OrderedJson natural_level(const OrderedJson& factor, const OrderedJson& scene);
 
 /// What a design is made for.

@@ -123,6 +123,16 @@ OrderedJson number_entry(double value, const char* unit) {
           {"source", "assumed by `impetus new`; put your own"}};
 }
 
+/// Whether what is asked is seen the more rarely, the higher the level is: what looks natural is
+/// at the top, and the unnatural is asked about; or the other way round.
+bool is_falling(const OrderedJson& ask, const OrderedJson& factor, const OrderedJson& natural) {
+  const OrderedJson& levels = factor["levels"];
+  const bool ordered = levels.front().is_number() || levels.front().is_boolean();
+  const OrderedJson& top =
+      ordered ? *std::max_element(levels.begin(), levels.end()) : levels.back();
+  return (natural == top) != ask.contains("asks_natural");
+}
+
 /// Its function runs over the levels of the factor: half-way in their middle. `falling`: what is
 /// asked is seen the more rarely, the higher the level is.
 OrderedJson observer_of(const OrderedJson& factor, bool falling) {
@@ -252,8 +262,7 @@ std::map<std::string, std::string> make_study(const StudyChoices& choices) {
       {"protocol.json", file_text(protocol)},
       {"scene.json", file_text(scene)},
       {"observer.json",
-       file_text(observer_of(factors.front(), ask.contains("detects") &&
-                                                  natural == factors.front()["levels"].back()))}};
+       file_text(observer_of(factors.front(), is_falling(ask, factors.front(), natural)))}};
   for (const auto& name : shown.value("files", std::vector<std::string>())) {
     files.emplace(name, name.ends_with(kSuffix) ? file_text(shipped_stimulus(name))
                                                 : find_carried("stimuli/" + name).value());

@@ -113,7 +113,8 @@ class SchedulerControls {
     ImGui::BeginDisabled(!has_radius);
     panel_label("its radius");
     auto radius_deg = static_cast<float>(region.radius_deg);
-    if (ImGui::SliderFloat("##radius", &radius_deg, 0.5F, 20.0F, "%.1f °")) {
+    if (ImGui::SliderFloat("##radius", &radius_deg, 0.5F, 20.0F, "%.1f °",
+                           ImGuiSliderFlags_AlwaysClamp)) {
       region.radius_deg = radius_deg;
       changed_ = true;
     }
@@ -194,8 +195,8 @@ class SchedulerControls {
     const int second = std::max(1, static_cast<int>(step_hz_));
     const std::string format =
         "%d steps (" + std::to_string(1000 * settings_.persistence_steps / second) + " ms)";
-    changed_ |=
-        ImGui::SliderInt("##persistence", &settings_.persistence_steps, 0, second, format.c_str());
+    changed_ |= ImGui::SliderInt("##persistence", &settings_.persistence_steps, 0, second,
+                                 format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     panel_tooltip("A pair that touches keeps the highest priority it had for so long.");
   }
 
@@ -215,18 +216,21 @@ constexpr std::array<NamedValue<Rotation>, 2> kRotations{
     {{Rotation::kMidpoint, "midpoint"}, {Rotation::kEnergyKept, "energy-kept"}}};
 constexpr std::array<NamedValue<bool>, 2> kCounts{{{false, "tests"}, {true, "all-phases"}}};
 
+constexpr ImGuiSliderFlags kLimitFlags =
+    ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+
 bool draw_limit(PreviewSettings& settings) {
   ImGui::SetNextItemWidth(-1.0F);
   if (settings.budget == BudgetUnit::kTests) {
-    const bool changed = ImGui::SliderInt("##tests", &settings.tests_per_step, 1, 100'000,
-                                          "%d units per step", ImGuiSliderFlags_Logarithmic);
+    const bool changed = ImGui::SliderInt("##tests", &settings.tests_per_step, 1, 1'000'000,
+                                          "%d units per step", kLimitFlags);
     panel_tooltip("Units of work; the floor is done all the same. Ctrl-click to type.");
     return changed;
   }
   if (settings.budget == BudgetUnit::kMilliseconds) {
     auto ms = static_cast<float>(settings.ms_per_step);
-    const bool changed = ImGui::SliderFloat("##ms", &ms, 0.01F, 10.0F, "%.2f ms per step",
-                                            ImGuiSliderFlags_Logarithmic);
+    const bool changed =
+        ImGui::SliderFloat("##ms", &ms, 0.01F, 100.0F, "%.2f ms per step", kLimitFlags);
     settings.ms_per_step = changed ? ms : settings.ms_per_step;
     panel_tooltip("Milliseconds of this machine, motion included. Ctrl-click to type.");
     return changed;

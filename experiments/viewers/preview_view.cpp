@@ -79,7 +79,8 @@ class WorkChart {
     const std::string title = printed("Work per step, last %.0f s", span_s);
     float left = write(title, from_.x, palette::kText) + 1.4F * font_->FontSize;
     left = write_entry(left, kSpent, "spent", last.spent);
-    left = write_entry(left, kFloor, "floor", last.floor);
+    // What is kept for phases to come counts, of which nothing need be spent.
+    left = write_entry(left, kFloor, "floor", std::min(last.floor, last.spent));
     if (by_tests_) {
       write_entry(left, kBudget, "budget", last.granted);
     }
@@ -107,7 +108,7 @@ class WorkChart {
       for (std::int64_t i = std::max<std::int64_t>(0, index_at(column)); i < end; ++i) {
         const WorkOfStep& step = work[static_cast<std::size_t>(i)];
         most.spent = std::max(most.spent, step.spent);
-        most.floor = std::max(most.floor, step.floor);
+        most.floor = std::max(most.floor, std::min(step.floor, step.spent));
       }
       if (end > 0 && most.spent > 0) {
         const float x = from_.x + 1.0F + static_cast<float>(column);

@@ -239,3 +239,14 @@ test_that("a model that cannot be fitted is no test, and its reason is kept", {
   expect_true(is.na(mine$p))
   expect_match(mine$remark, "needs three participants or more", fixed = TRUE)
 })
+
+test_that("a factor that is called as a column of a view is tested, under its own name", {
+  part <- list(factors = c(factor_detail = "factor_detail", delay_ms = "delay_ms"))
+  expect_equal(columns_of(part, c("detail", "delay_ms", "none")), c("factor_detail", "delay_ms", "none"))
+  trials <- data.frame(participant = rep(c("S1", "S2", "S3"), each = 4), rating = c(1:4, 2:5, 1, 3, 2, 5),
+    factor_detail = factor(rep(c("a", "b"), 6)))
+  rows <- power_tests(list(factors = c(factor_detail = "factor_detail"), trials = trials,
+    response = "rating"), list(factors = "detail", compared = character(), model = "means"))
+  expect_equal(rows$factor, "detail")
+  expect_false(is.na(rows$p))
+})

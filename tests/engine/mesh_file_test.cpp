@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/files/mesh_file.hpp"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,37 @@ TEST_F(MeshFile, EveryFormatGivesTheSameWeldedCube) {
   expect_cube(load_mesh(write("cube.off", cube_off())));
   expect_cube(load_mesh(write("cube.ply", cube_ply())));
   expect_cube(load_mesh(write("cube.stl", as_stl(cube))));
+}
+
+TEST_F(MeshFile, ABinaryBodyThatBeginsAsALineEndsIsReadWhole) {
+  const TriangleMesh cube = load_mesh(write("cube.obj", cube_obj()));
+  const auto binary = [&](float half) {  // little-endian, as this machine
+    std::string text = ply_header("binary_little_endian", 8, 12, "uchar");
+    const auto put = [&](const auto& number) {
+      text.append(reinterpret_cast<const char*>(&number), sizeof(number));
+    };
+    for (const Vector3& vertex : cube.vertices) {
+      for (int axis = 0; axis < 3; ++axis) {
+        put(half * static_cast<float>(vertex[axis]));
+      }
+    }
+    for (const auto& triangle : cube.triangles) {
+      put(std::uint8_t{3});
+      for (const std::uint32_t corner : triangle) {
+        put(corner);
+      }
+    }
+    return text;
+  };
+  for (const float half : {0.64F, 0.02F, 0.5F}) {
+    const std::string text = binary(half);
+    const std::size_t body = text.find("end_header\n") + 11;
+    EXPECT_EQ(text[body] == '\n', half != 0.5F) << half;
+    const MeshReport report = report_mesh(load_mesh(write("cube.ply", text)));
+    ASSERT_TRUE(report.usable()) << half;
+    const double side_m = 2.0 * static_cast<double>(half);
+    EXPECT_NEAR(report.solid->volume_m3 / (side_m * side_m * side_m), 1.0, 1e-6) << half;
+  }
 }
 
 TEST_F(MeshFile, NormalsAndTextureCoordinatesDoNotKeepVerticesApart) {

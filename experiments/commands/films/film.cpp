@@ -188,14 +188,18 @@ struct MadeFilm {
 class FilmTable {
  public:
   explicit FilmTable(const Design& design) : design_(design) {
-    std::vector<std::string> head{"file", "part", "condition", "repetition"};
+    const std::vector<std::string> planned{"file", "part", "condition", "repetition"};
+    const std::vector<std::string> shown{"frames",     "seconds", "contact_frame", "contact_s",
+                                         "collisions", "level",   "gap_arcmin"};
+    const auto is_among = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::vector<std::string> head = planned;
     for (const Factor& factor : design.factors) {
-      head.push_back(factor.name);
+      const bool taken = is_among(planned, factor.name) || is_among(shown, factor.name);
+      head.push_back((taken ? "factor_" : "") + factor.name);
     }
-    for (const char* name :
-         {"frames", "seconds", "contact_frame", "contact_s", "collisions", "level", "gap_arcmin"}) {
-      head.emplace_back(name);
-    }
+    head.insert(head.end(), shown.begin(), shown.end());
     text_ = csv_line(head);
   }
 

@@ -212,6 +212,25 @@ bool counts_for(const ObserverFile& observer, AnsweredTrial& trial) {
   return has_any(trial);
 }
 
+/// As soon as people took part, nobody who is simulated counts.
+void leave_out_simulated(StudyFile& study, AnsweredStudy& answered) {
+  const auto codes = load_column<std::string>(study.database(),
+                                              "SELECT pseudonym FROM participant WHERE simulated");
+  const std::set<std::string> all(codes.begin(), codes.end());
+  std::set<std::string> here;
+  for (const StoredAttempt& attempt : answered.attempts) {
+    here.insert(attempt.participant);
+  }
+  const auto simulated = static_cast<std::size_t>(std::count_if(
+      here.begin(), here.end(), [&](const auto& code) { return all.contains(code); }));
+  answered.all_simulated = simulated == here.size();
+  if (!answered.all_simulated) {
+    answered.simulated_left_out = simulated;
+    std::erase_if(answered.attempts,
+                  [&](const StoredAttempt& attempt) { return all.contains(attempt.participant); });
+  }
+}
+
 }  // namespace
 
 AnsweredStudy choose_answers(StudyFile& study, const AnswerChoice& choice) {
@@ -231,10 +250,7 @@ AnsweredStudy choose_answers(StudyFile& study, const AnswerChoice& choice) {
                      (choice.code.empty() ? "" : " of " + choice.code) +
                      " that are not excluded, got none");
   }
-  answered.all_simulated =
-      load_value<std::int64_t>(study.database(),
-                               "SELECT count(*) FROM participant WHERE simulated = 0")
-          .value_or(0) == 0;
+  leave_out_simulated(study, answered);
   return answered;
 }
 
@@ -272,6 +288,10 @@ std::vector<std::vector<AnsweringPerson>> answering_people(
         own->trials.push_back(std::move(trials[i]));
       }
     }
+  }
+  for (std::vector<AnsweringPerson>& of_one : people) {
+    std::sort(of_one.begin(), of_one.end(),
+              [](const auto& a, const auto& b) { return a.code < b.code; });
   }
   return people;
 }

@@ -24,16 +24,17 @@ struct AnswerChoice {
 struct AnsweredStudy {
   std::vector<StoredAttempt> attempts;  ///< of one protocol, in order
   std::int64_t protocol_id{0};
-  bool all_simulated{false};  ///< nobody but simulated participants took part
+  bool all_simulated{false};          ///< nobody but simulated participants took part
+  std::size_t simulated_left_out{0};  ///< beside people
 };
 
 /// Throws InputError where there is no such protocol or participant, and where it is left open
 /// which of several protocols is meant.
 AnsweredStudy choose_answers(StudyFile& study, const AnswerChoice& choice);
 
-/// What everybody answered, with the percepts of each observer: a list of people for each, in their
-/// order. `told` is told the share that is done. Throws InputError when a trial does not replay as
-/// it was recorded.
+/// What everybody answered, with the percepts of each observer: a list of people for each, by their
+/// codes, whoever finished first. `told` is told the share that is done. Throws InputError when a
+/// trial does not replay as it was recorded.
 std::vector<std::vector<AnsweringPerson>> answering_people(
     StudyFile& study, ReplayLibrary& library, const AnsweredStudy& answered,
     const std::vector<ObserverFile>& observers, const Progress& told);

@@ -171,6 +171,7 @@ FitStory told_fit(const FitOptions& options, const AnsweredStudy& answered,
   story.study_hash = hash_of_file(options.study);
   story.protocol = protocol.name;
   story.all_simulated = answered.all_simulated;
+  story.simulated_left_out = answered.simulated_left_out;
   story.observer = fs::path(observer.document.name).filename().string();
   story.kind = observer.kind->name;
   story.people = people.front().size();

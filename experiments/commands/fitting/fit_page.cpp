@@ -189,7 +189,11 @@ std::string fit_page(const FitStory& story) {
   text += "Observer `" + story.observer + "`, answers to the protocol `" +
           printable(story.protocol) + "`: " + people_words(story.people) + ", " +
           std::to_string(story.trials) + " completed main trials" +
-          (story.all_simulated ? ". No person took part: all are simulated" : "") + ".\n\n";
+          (story.all_simulated ? ". No person took part: all are simulated" : "") +
+          (story.simulated_left_out > 0 ? ". " + std::to_string(story.simulated_left_out) +
+                                              " simulated are left out, since people took part"
+                                        : "") +
+          ".\n\n";
   text += "## Fit\n\n";
   Rows rows = parameter_rows(story);
   rows[0][3] = "remark";

@@ -37,6 +37,7 @@ struct FitStory {
   std::string study_hash;
   std::string protocol;
   bool all_simulated{false};
+  std::size_t simulated_left_out{0};
   std::string observer;  ///< its file
   std::string kind;
   std::size_t people{0};

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/given_words.hpp"
 #include "experiments/commands/power/power_options.hpp"
@@ -144,7 +145,7 @@ void simulate_studies(const PowerSimulation& simulation) {
 
 /// False: a package of R is missing, and R has said which.
 bool simulate_all(const PowerOptions& options, const PowerTask& task) {
-  fs::create_directories(options.out);
+  make_out_folder(options.out);
   const ScratchFolder scratch(options.out, kScratchBegin);
   const std::optional<PowerTools> tools = power_tools(scratch.path(), task.question.model);
   if (tools) {

@@ -161,6 +161,9 @@ void require_one_purpose(const ReplayOptions& options) {
     throw InputError(std::string("--with: expected neither --view nor --truth beside it, got ") +
                      (options.view ? "--view" : "--truth"));
   }
+  if (options.view && options.truth) {
+    throw InputError("--view: expected no --truth beside it");
+  }
   if (!asks && !(options.what_if.csv_file.empty() && options.what_if.json_file.empty())) {
     throw InputError(std::string(options.what_if.csv_file.empty() ? "--json" : "--out") +
                      ": expected --with beside it, which is missing");

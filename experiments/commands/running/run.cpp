@@ -95,7 +95,6 @@ std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options,
 }
 
 /// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
-constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 /// In quotes and on one line, whatever it holds; its beginning when it is long.
 std::string shown(const std::string& code) {

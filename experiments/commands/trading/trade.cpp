@@ -352,6 +352,8 @@ int trade(const JsonDocument& scene, const TradeOptions& options) {
 int load_and_trade(const TradeOptions& options) {
   const BuildingLine told;
   check(options);
+  require(options.scheduled.starts >= 0,
+          "--starts: expected 0 or more, got " + std::to_string(options.scheduled.starts));
   require_chunks(options, options.chunks, options.scheduled.starts, "start");
   const JsonDocument scene = load_scene(options.scene);
   return staged_from(scene, [&] { return trade(scene, options); });
@@ -381,7 +383,8 @@ void add_trade(CLI::App& app, Command& chosen) {
   command->add_option("--impacts", options->impacts, "To measure at")->capture_default_str();
   add_options(*command, options->scheduled);
   command->add_option("--seed", options->seed, "Another number, other impacts")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(std::uint64_t{0}, kLargestSeed));
   command->add_option("--screen", options->screen_file,
                       "Screen file instead of the user's settings");
   command->add_flag("--force", options->force, "Overwrite an existing result");

@@ -1,5 +1,7 @@
 // `impetus fit` from outside: a simulated study in, a participant file and a page out.
 // SPDX-License-Identifier: MIT
+#include <SQLiteCpp/Database.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -104,6 +106,21 @@ TEST(FitCommand, ThePageHasFitComparisonAndResiduals) {
         "Of the rating, in steps from the scale's good end:"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
   }
+}
+
+TEST(FitCommand, BesidePeopleNobodyWhoIsSimulatedIsFitted) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, simulated_run({"--participants", "4"})).status, 0);
+  SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE)
+      .exec("UPDATE participant SET simulated = 0 WHERE id > 2");
+  const ProgramResult fitted =
+      run_program(folder, {"fit", "a.sqlite", "--observer", "causality", "--out", "fitted.json"});
+  ASSERT_EQ(fitted.status, 0) << fitted.errors;
+  EXPECT_NE(text_of(folder / "fitted.md")
+                .find("2 people, 162 completed main trials. 2 simulated are left out, since people "
+                      "took part."),
+            std::string::npos)
+      << text_of(folder / "fitted.md");
 }
 
 TEST(FitCommand, ARatingThatNobodyGaveLeavesItsCutsApart) {

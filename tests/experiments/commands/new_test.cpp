@@ -67,6 +67,22 @@ TEST(New, OfTwoIntervalsTheStandardIsWhatTheSceneSaysAndNoPracticeShowsItTwice) 
   const nlohmann::json between = protocol_of("two-blocks", "speed_percent");
   EXPECT_EQ(between["two_interval"]["standard"], nlohmann::json({{"speed_percent", 100}}));
   EXPECT_EQ(between["design"]["practice"].size(), 2U);
+  const nlohmann::json by_words = protocol_of("blocks-by-gaze", "detail");
+  EXPECT_EQ(by_words["two_interval"]["standard"], nlohmann::json({{"detail", "all-good"}}));
+}
+
+TEST(New, TheSimulatedParticipantFindsNaturalWhatIs) {
+  const auto falls = [](const char* shown, const char* factor, const char* ask) {
+    return nlohmann::json::parse(
+        make_study({"mine", shown, {factor}, ask, "", "en"}).at("observer.json"))["falling"];
+  };
+  for (const char* of_unnatural : {"detection", "two-interval", "rating", "click"}) {
+    EXPECT_EQ(falls("two-blocks", "level", of_unnatural), true) << of_unnatural;
+    EXPECT_EQ(falls("two-balls", "delay_ms", of_unnatural), false) << of_unnatural;
+    EXPECT_EQ(falls("two-balls", "gap_arcmin=20,10,0", of_unnatural), false) << of_unnatural;
+  }
+  EXPECT_EQ(falls("two-blocks", "level", "yes-no"), false);
+  EXPECT_EQ(falls("two-balls", "delay_ms", "yes-no"), true);
 }
 
 TEST(New, LevelsThatRiseToWhatLooksNaturalAreNotChosenFrom) {

@@ -216,9 +216,8 @@ TEST(Fit, IsTheSameEachTime) {
 TEST(Fit, SaysWhatIsMissing) {
   const ObserverFile file = shipped_observer("causality-thresholds");
   EXPECT_EQ(missing_for_fit(*file.kind, {}),
-            "completed trials with answers that such a participant gives (a rating, yes or no, a "
-            "choice of two intervals, a mark on a line, clicks), got "
-            "none");
+            "completed trials with answers that such a participant gives and that can be fitted "
+            "(a rating, yes or no, a choice of two intervals), got none");
   AnsweringPerson person{"S1", {}};
   for (int i = 0; i < 3; ++i) {
     person.trials.push_back({{{100.0}}});
