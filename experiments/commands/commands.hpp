@@ -35,7 +35,7 @@ inline CLI::Validator number_from(double least, double most) {
       range.get_description());
 }
 
-/// A study file keeps seeds as signed numbers.
+/// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
 inline constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 /// Adds a subcommand; parsing it puts into `chosen` that `action` is done on its options. Returns

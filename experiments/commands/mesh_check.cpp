@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 
 #include "experiments/commands/commands.hpp"
@@ -23,11 +24,10 @@ int check_one(const std::string& file) {
     const MeshReport report = report_mesh(load_mesh(file));
     std::printf("%s\n%s", file.c_str(), describe(report).c_str());
     return report.usable() ? kDone : refuse(file, refusal(report));
-  } catch (const InputError& unreadable) {
+  } catch (const std::runtime_error& unreadable) {
     std::fflush(stdout);
     std::fprintf(stderr, "impetus: %s\n", unreadable.what());
-    constexpr int kRefused = 2;  // as where a command is refused whole
-    return kRefused;
+    return kCouldNotRun;
   }
 }
 

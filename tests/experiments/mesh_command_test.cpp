@@ -41,4 +41,18 @@ TEST(MeshCommand, AFileThatCannotBeReadIsNoMesh) {
   EXPECT_EQ(result.status, 2);
 }
 
+TEST(MeshCommand, EveryFileIsLookedAtAndTheWorstCounts) {
+  const TemporaryFolder folder;
+  folder.write("open.obj", open_tetrahedron());
+  folder.write("whole.obj", tetrahedron());
+  const ProgramResult result =
+      run_program(folder, {"mesh", "check", "none.obj", "open.obj", "whole.obj"});
+  EXPECT_EQ(result.errors,
+            "impetus: none.obj: there is no such file\n"
+            "impetus: open.obj: cannot be simulated: it has 3 open edges; Blender, MeshLab or "
+            "admesh can mend it\n");
+  EXPECT_NE(result.output.find("whole.obj\n"), std::string::npos);
+  EXPECT_EQ(result.status, 2);
+}
+
 }  // namespace impetus::mesh_command_test

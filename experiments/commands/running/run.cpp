@@ -94,8 +94,6 @@ std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options,
   return writer.session_id();
 }
 
-/// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
-
 /// In quotes and on one line, whatever it holds; its beginning when it is long.
 std::string shown(const std::string& code) {
   const std::string beginning = code.substr(0, kLongestParticipantCode);
