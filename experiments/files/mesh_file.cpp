@@ -213,15 +213,15 @@ void keep_promised_readers(Assimp::Importer& importer) {
   }
 }
 
-/// A binary PLY file whose body begins as a line ends, which assimp would pass over (it begins so
-/// where the first number is 0.02 or 0.64): with another before it, which is passed over. "": any
-/// other file.
+/// A binary PLY file whose body begins as a line ends, which assimp would pass over behind a header
+/// without carriage returns (it begins so where the first number is 0.02 or 0.64): with another
+/// before it, which is passed over. "": any other file.
 std::string ply_with_its_first_byte(const std::filesystem::path& file) {
   std::string bytes = file_bytes(file);
   const std::size_t end = bytes.starts_with("ply") ? bytes.find("end_header") : std::string::npos;
   const std::size_t body = end == std::string::npos ? end : bytes.find('\n', end);
   if (body == std::string::npos || body + 1 >= bytes.size() || bytes[body + 1] != '\n' ||
-      bytes.substr(0, end).find("format binary") == std::string::npos) {
+      bytes[body - 1] == '\r' || bytes.substr(0, end).find("format binary") == std::string::npos) {
     return "";
   }
   return bytes.insert(body + 1, 1, '\n');

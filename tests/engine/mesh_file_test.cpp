@@ -34,8 +34,11 @@ TEST_F(MeshFile, EveryFormatGivesTheSameWeldedCube) {
 
 TEST_F(MeshFile, ABinaryBodyThatBeginsAsALineEndsIsReadWhole) {
   const TriangleMesh cube = load_mesh(write("cube.obj", cube_obj()));
-  const auto binary = [&](float half) {  // little-endian, as this machine
-    std::string text = ply_header("binary_little_endian", 8, 12, "uchar");
+  const auto binary = [&](float half, const std::string& line_end) {  // little-endian, as here
+    std::string text;
+    for (const char letter : ply_header("binary_little_endian", 8, 12, "uchar")) {
+      text += letter == '\n' ? line_end : std::string(1, letter);
+    }
     const auto put = [&](const auto& number) {
       text.append(reinterpret_cast<const char*>(&number), sizeof(number));
     };
@@ -53,13 +56,15 @@ TEST_F(MeshFile, ABinaryBodyThatBeginsAsALineEndsIsReadWhole) {
     return text;
   };
   for (const float half : {0.64F, 0.02F, 0.5F}) {
-    const std::string text = binary(half);
-    const std::size_t body = text.find("end_header\n") + 11;
-    EXPECT_EQ(text[body] == '\n', half != 0.5F) << half;
-    const MeshReport report = report_mesh(load_mesh(write("cube.ply", text)));
-    ASSERT_TRUE(report.usable()) << half;
-    const double side_m = 2.0 * static_cast<double>(half);
-    EXPECT_NEAR(report.solid->volume_m3 / (side_m * side_m * side_m), 1.0, 1e-6) << half;
+    for (const std::string line_end : {"\n", "\r\n"}) {
+      const std::string text = binary(half, line_end);
+      const std::size_t body = text.find("end_header" + line_end) + 10 + line_end.size();
+      EXPECT_EQ(text[body] == '\n', half != 0.5F) << half;
+      const MeshReport report = report_mesh(load_mesh(write("cube.ply", text)));
+      ASSERT_TRUE(report.usable()) << half << line_end;
+      const double side_m = 2.0 * static_cast<double>(half);
+      EXPECT_NEAR(report.solid->volume_m3 / (side_m * side_m * side_m), 1.0, 1e-6) << half;
+    }
   }
 }
 
