@@ -65,14 +65,14 @@ std::vector<Shown> shown_by(const Protocol& protocol) {
   return shown;
 }
 
-/// Its levels but those that are the same in all.
+/// Its levels but those that are the same in all; practice has none of factors between
+/// participants.
 std::string words_of(const Condition& condition, const std::vector<Shown>& all) {
   std::string words;
   for (const FactorLevel& level : condition) {
     const bool varies = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
       const FactorLevel* own = find_level(other.condition, level.factor);
-      return own != nullptr &&
-             !(*own == level);  // practice has none of factors between participants
+      return own != nullptr && !(*own == level);
     });
     if (varies) {
       words += (words.empty() ? "" : ", ") + level.factor + " " + to_text(level.value);

@@ -186,11 +186,10 @@ class WindowLaboratory final : public Laboratory {
   void tell_smaller_window() const {
     const DisplayMode display = display_mode();
     if (display.width_px != window_.width_px() || display.height_px != window_.height_px()) {
-      std::fprintf(
-          stderr,
-          "warning: --window: the screen's measures are taken as those of the window, %d x "
-          "%d of the display's %d x %d pixels\n",
-          window_.width_px(), window_.height_px(), display.width_px, display.height_px);
+      std::fprintf(stderr,
+                   "warning: --window: the screen's measures are taken as those of the window, "
+                   "%d x %d of the display's %d x %d pixels\n",
+                   window_.width_px(), window_.height_px(), display.width_px, display.height_px);
     }
   }
 

@@ -231,6 +231,26 @@ TEST_F(FilmCommand, AProtocolIsAFilmOfEachStimulusAndATable) {
   }
 }
 
+TEST_F(FilmCommand, AFactorThatIsCalledAsAColumnHasOneOfItsOwn) {
+  json protocol = small_protocol().document.value;
+  json& design = protocol["design"];
+  design["factors"] = json::parse(R"([{"name": "level", "label": "Restitution", "levels": [0.5, 1],
+                                       "pointer": "/engine/restitution"}])");
+  design["practice"] = json::parse(R"([{"level": 1}])");
+  design["repetitions"] = 1;
+  for (const char* of_other_factors : {"longest_runs", "blocks", "catch_trials"}) {
+    design.erase(of_other_factors);
+  }
+  folder_.write("protocols/small.json", protocol.dump());
+  folder_.write("stimuli/two-spheres.json", shipped("stimuli/two-spheres.json"));
+  const ProgramResult result = run_program(folder_, {"film", "protocols/small.json", "--out",
+                                                     "films", "--format", "png", "--width", "80"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(lines_of(text_of(folder_ / "films/films.csv")).front(),
+            "file,part,condition,repetition,factor_level,frames,seconds,contact_frame,contact_s,"
+            "collisions,level,gap_arcmin");
+}
+
 TEST_F(FilmCommand, AGazeThatWasRecordedIsNotInAProtocol) {
   const std::string protocol = source_folder() + "/protocols/gaze-contingent-yoked.json";
   const ProgramResult result =
