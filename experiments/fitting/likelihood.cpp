@@ -44,6 +44,14 @@ class LogarithmOfProduct {
   double product_{1.0};
 };
 
+/// `own` with other traits where these differ.
+Traits with(const std::vector<TraitSpread>& differing, Traits own, const VectorXd& z) {
+  for (std::size_t i = 0; i < differing.size(); ++i) {
+    own.*differing[i].trait = z[static_cast<Eigen::Index>(i)];
+  }
+  return own;
+}
+
 /// True when so many more like one that took so long are worth threads, which a tenth of a
 /// millisecond brings to life.
 bool takes_long(std::chrono::duration<double, std::milli> one, std::size_t more) {
@@ -111,23 +119,21 @@ void AnswerLikelihood::list_spreads(bool as_group) {
       }
     }
   }
-  forget_modes();
+  tell_thresholds_apart();
 }
 
-void AnswerLikelihood::forget_modes() {
+void AnswerLikelihood::tell_thresholds_apart() {
   judged_by_.reset();
-  traits_change_seen_ = model_->outcomes == nullptr &&
-                        std::any_of(spreads_.begin(), spreads_.end(), [](const TraitSpread& one) {
-                          return one.trait == &Traits::threshold;
-                        });
-  for (Person& person : people_) {
-    person.mode = VectorXd::Zero(static_cast<Eigen::Index>(spreads_.size()));
-  }
+  smooth_ = spreads_;
+  threshold_differs_ =
+      model_->outcomes == nullptr && std::erase_if(smooth_, [](const TraitSpread& one) {
+                                       return one.trait == &Traits::threshold;
+                                     }) > 0;
 }
 
 void AnswerLikelihood::forget_trait(const std::string& spread) {
   std::erase_if(spreads_, [&](const TraitSpread& one) { return spread == one.parameter; });
-  forget_modes();
+  tell_thresholds_apart();
 }
 
 void AnswerLikelihood::list_movable() {
@@ -277,16 +283,16 @@ bool AnswerLikelihood::must_judge() {
   return moved;
 }
 
-/// What no trait changes is computed once for all traits that are tried: all but ratings.
-void AnswerLikelihood::judge(Person& person) const {
+/// All that the smooth traits do not change is computed once for all of these that are tried.
+void AnswerLikelihood::judge(Person& person, const Traits& own) const {
   std::map<std::tuple<double, std::size_t, std::size_t>, std::size_t> places;
   std::vector<Outcome> outcomes;
   person.ratings.clear();
   person.known_logarithm = 0.0;
   for (Cell& cell : person.cells) {
     const AnsweredTrial& trial = *cell.trial;
-    const double clicks_logarithm = look(trial, {}, outcomes);
-    const double choice = choice_chance(trial, {});
+    const double clicks_logarithm = look(trial, own, outcomes);
+    const double choice = choice_chance(trial, own);
     double unrated = 0.0;
     cell.outcomes.clear();
     for (const Outcome& outcome : outcomes) {
@@ -307,27 +313,12 @@ void AnswerLikelihood::judge(Person& person) const {
   }
 }
 
-Traits AnswerLikelihood::traits(const VectorXd& z) const {
-  Traits traits;
-  for (std::size_t i = 0; i < spreads_.size(); ++i) {
-    traits.*spreads_[i].trait = z[static_cast<Eigen::Index>(i)];
-  }
-  return traits;
-}
-
-/// The logarithm of P(answers | z) exp(−½ z²).
-double AnswerLikelihood::joint(Person& person, const VectorXd& z) {
-  const Traits own = traits(z);
-  LogarithmOfProduct product;
-  if (traits_change_seen_) {
-    for (const Cell& cell : person.cells) {
-      product.take(chance(*cell.trial, own), cell.count);
-    }
-    return product.logarithm() - 0.5 * z.squaredNorm();
-  }
+/// The logarithm of P(answers | traits), of somebody who was judged with this threshold.
+double AnswerLikelihood::answers_logarithm(Person& person, const Traits& own) const {
   for (GivenRating& one : person.ratings) {
     one.chance = model_->rating(*parameters_, own, one.seen, one.steps, one.points);
   }
+  LogarithmOfProduct product;
   for (const Cell& cell : person.cells) {
     double chance = cell.outcomes.empty() ? 1.0 : 0.0;
     for (const RatedOutcome& outcome : cell.outcomes) {
@@ -335,16 +326,41 @@ double AnswerLikelihood::joint(Person& person, const VectorXd& z) {
     }
     product.take(chance, cell.count);
   }
-  return product.logarithm() + person.known_logarithm - 0.5 * z.squaredNorm();
+  return product.logarithm() + person.known_logarithm;
 }
 
-double AnswerLikelihood::integral(Person& person) {
-  if (spreads_.empty()) {
-    return joint(person, person.mode);
+/// The logarithm of ∫ P(answers | own, z) φ(z) dz over the smooth traits z, begun at `highest`.
+double AnswerLikelihood::over_smooth(Person& person, const Traits& own, VectorXd& highest) const {
+  if (smooth_.empty()) {
+    return answers_logarithm(person, own);
   }
-  const auto joint_at = [&](const VectorXd& z) { return joint(person, z); };
-  return logarithm_of_integral(joint_at, person.mode) -
-         0.5 * static_cast<double>(spreads_.size()) * std::log(2.0 * std::numbers::pi);
+  const auto joint = [&](const VectorXd& z) {
+    return answers_logarithm(person, with(smooth_, own, z)) - 0.5 * z.squaredNorm();
+  };
+  return logarithm_of_integral(joint, highest) -
+         0.5 * static_cast<double>(smooth_.size()) * std::log(2.0 * std::numbers::pi);
+}
+
+/// The same over all traits. It begins anew each time: what was tried before changes nothing.
+double AnswerLikelihood::integral(Person& person) const {
+  VectorXd highest = VectorXd::Zero(static_cast<Eigen::Index>(smooth_.size()));
+  if (!threshold_differs_) {
+    const double logarithm = over_smooth(person, {}, highest);
+    person.likely = with(smooth_, {}, highest);
+    return logarithm;
+  }
+  double top = kImpossible;
+  const auto slice = [&](double threshold) {
+    const Traits own{threshold};
+    judge(person, own);
+    const double logarithm = over_smooth(person, own, highest) - 0.5 * threshold * threshold;
+    if (logarithm > top) {
+      top = logarithm;
+      person.likely = with(smooth_, own, highest);
+    }
+    return logarithm;
+  };
+  return logarithm_of_rough_integral(slice) - 0.5 * std::log(2.0 * std::numbers::pi);
 }
 
 std::vector<double> AnswerLikelihood::logarithms() {
@@ -354,11 +370,11 @@ std::vector<double> AnswerLikelihood::logarithms() {
   if (!can_be()) {
     return std::vector<double>(people_.size(), kImpossible);
   }
-  const bool judges = !traits_change_seen_ && must_judge();
+  const bool judges = !threshold_differs_ && must_judge();
   std::vector<double> all(people_.size());
   const auto of_person = [&](std::size_t i) {
     if (judges) {
-      judge(people_[i]);
+      judge(people_[i], {});
     }
     all[i] = integral(people_[i]);
   };
@@ -384,8 +400,18 @@ double AnswerLikelihood::logarithm() {
 std::vector<Traits> AnswerLikelihood::likely_traits() {
   static_cast<void>(logarithms());
   std::vector<Traits> all;
-  for (const Person& person : people_) {
-    all.push_back(traits(person.mode));
+  for (Person& person : people_) {
+    VectorXd z(static_cast<Eigen::Index>(spreads_.size()));
+    for (std::size_t i = 0; i < spreads_.size(); ++i) {
+      z[static_cast<Eigen::Index>(i)] = person.likely.*spreads_[i].trait;
+    }
+    const auto joint = [&](const VectorXd& at) {
+      const Traits own = with(spreads_, {}, at);
+      judge(person, own);
+      return answers_logarithm(person, own) - 0.5 * at.squaredNorm();
+    };
+    climb(joint, z);
+    all.push_back(with(spreads_, {}, z));
   }
   return all;
 }

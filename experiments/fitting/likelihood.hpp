@@ -89,17 +89,16 @@ class AnswerLikelihood {
     double count{1.0};
     std::vector<RatedOutcome> outcomes;  ///< where no trait changes them, and there is a rating
   };
-  /// And where the integral over a person's traits was last looked for.
   struct Person {
     std::vector<Cell> cells;
     std::vector<GivenRating> ratings;  ///< each once
-    double known_logarithm{0.0};       ///< of all answers that no trait changes
-    Eigen::VectorXd mode;
+    double known_logarithm{0.0};       ///< of all answers that no smooth trait changes
+    Traits likely{};                   ///< about where they explain the person best
   };
 
   void list_movable();
   void list_spreads(bool as_group);
-  void forget_modes();
+  void tell_thresholds_apart();
   [[nodiscard]] bool can_be() const;
   [[nodiscard]] double clearest(const AnsweredTrial& trial, const Traits& traits) const;
   [[nodiscard]] double look(const AnsweredTrial& trial, const Traits& traits,
@@ -109,16 +108,18 @@ class AnswerLikelihood {
                                        double seen) const;
   [[nodiscard]] double choice_chance(const AnsweredTrial& trial, const Traits& traits) const;
   [[nodiscard]] bool must_judge();
-  void judge(Person& person) const;
-  [[nodiscard]] Traits traits(const Eigen::VectorXd& z) const;
-  [[nodiscard]] double joint(Person& person, const Eigen::VectorXd& z);
-  [[nodiscard]] double integral(Person& person);
+  void judge(Person& person, const Traits& own) const;
+  [[nodiscard]] double answers_logarithm(Person& person, const Traits& own) const;
+  [[nodiscard]] double over_smooth(Person& person, const Traits& own,
+                                   Eigen::VectorXd& highest) const;
+  [[nodiscard]] double integral(Person& person) const;
 
   const AnswerModel* model_;
   std::shared_ptr<RatingParameters> parameters_;
   std::vector<MovableParameter> movable_;
   std::vector<TraitSpread> spreads_;  ///< in which people differ
-  bool traits_change_seen_{false};
+  std::vector<TraitSpread> smooth_;   ///< of these: answers go by them smoothly
+  bool threshold_differs_{false};     ///< by which what is seen may go in steps
   std::vector<Person> people_;
   std::optional<std::vector<double>> judged_by_;  ///< what all but ratings go by; none: not yet
 };

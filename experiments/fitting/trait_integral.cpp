@@ -3,8 +3,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace impetus::inline fitting {
@@ -69,38 +72,136 @@ Slope slope_at(const SmoothFunction& f, const VectorXd& at, double value) {
   return slope;
 }
 
-/// Newton's method from `at`, which ends where f is highest; returns the precision there.
-MatrixXd climb(const SmoothFunction& f, VectorXd& at) {
-  constexpr double kClose = 1e-4;  // in standard deviations over people: the quadrature forgives
+/// A place where f is highest.
+struct Hilltop {
+  double height;
+  MatrixXd precision;
+};
+
+/// The same as climb().
+Hilltop climb_to_top(const SmoothFunction& f, VectorXd& at) {
+  constexpr double kClose = 0.1;  // in standard deviations: what is left then is of its square
+  constexpr double kShortest = 1e-6;
   constexpr int kMostClimbs = 30;
-  MatrixXd precision = MatrixXd::Identity(at.size(), at.size());
-  double value = f(at);
+  Hilltop top{f(at), MatrixXd::Identity(at.size(), at.size())};
   for (int count = 0; count < kMostClimbs; ++count) {
-    const Slope slope = slope_at(f, at, value);
-    precision = slope.precision;
-    Eigen::LLT<MatrixXd> factor(precision);
+    const Slope slope = slope_at(f, at, top.height);
+    top.precision = slope.precision;
+    Eigen::LLT<MatrixXd> factor(top.precision);
     if (factor.info() != Eigen::Success) {
-      precision =
-          MatrixXd::Identity(at.size(), at.size()) * (1.0 + precision.cwiseAbs().maxCoeff());
-      factor.compute(precision);
+      top.precision =
+          MatrixXd::Identity(at.size(), at.size()) * (1.0 + top.precision.cwiseAbs().maxCoeff());
+      factor.compute(top.precision);
     }
     VectorXd step = factor.solve(slope.gradient);
-    if (step.norm() < kClose) {
-      break;
-    }
+    const bool is_close = slope.gradient.dot(step) < kClose * kClose;
     double there = f(at + step);
-    while (there < value && step.norm() > 0.01 * kClose) {
+    while (there < top.height && step.norm() > kShortest && !is_close) {
       step *= 0.5;
       there = f(at + step);
     }
-    if (!std::isfinite(there)) {
+    if (there >= top.height) {
+      at += step;
+      top.height = there;
+    }
+    if (is_close || !(step.norm() > kShortest)) {
       break;
     }
-    at += step;
-    value = there;
   }
-  return precision;
+  return top;
 }
+
+/// Values at nodes of a line that are equally far apart, as logarithms.
+class NodesOfLine {
+ public:
+  using Function = std::function<double(double)>;
+
+  /// From 0 outwards, until what lies beyond counts no more.
+  explicit NodesOfLine(const Function& f) : f_(f), values_{f(0.0)}, top_(values_[0]) {
+    constexpr double kAlways = 6.0;  // in standard deviations over people
+    constexpr double kNever = 60.0;
+    for (const double side : {-1.0, 1.0}) {
+      for (double x = apart_; x < kNever; x += apart_) {
+        const double value = at(side * x);
+        values_.insert(side < 0.0 ? values_.begin() : values_.end(), value);
+        first_ = side < 0.0 ? -x : first_;
+        if (x >= kAlways && !counts(value)) {
+          break;
+        }
+      }
+    }
+  }
+
+  /// One more between any two of which one counts.
+  void halve() {
+    apart_ *= 0.5;
+    std::vector<double> all{values_[0]};
+    for (std::size_t i = 1; i < values_.size(); ++i) {
+      const double middle = first_ + apart_ * (2.0 * static_cast<double>(i) - 1.0);
+      const bool is_near = counts(values_[i - 1]) || counts(values_[i]);
+      all.push_back(is_near ? at(middle) : kNothing);
+      all.push_back(values_[i]);
+    }
+    values_ = std::move(all);
+  }
+
+  [[nodiscard]] double apart() const { return apart_; }
+  /// The logarithm of the trapezoids' sum.
+  [[nodiscard]] double logarithm() const {
+    double sum = 0.0;
+    for (const double value : values_) {
+      sum += std::exp(value - top_);
+    }
+    return top_ + std::log(sum * apart_);
+  }
+
+  /// The same with trapezoids that are halved where they have not settled, and there alone.
+  [[nodiscard]] double logarithm_where_rough() {
+    const double base = top_;
+    const double settled = kSettledLocally * std::exp(logarithm() - base);
+    double sum = 0.0;
+    for (std::size_t i = 1; i < values_.size(); ++i) {
+      const double from = first_ + apart_ * static_cast<double>(i - 1);
+      if (counts(values_[i - 1]) || counts(values_[i])) {
+        sum += between({from, std::exp(values_[i - 1] - base)},
+                       {from + apart_, std::exp(values_[i] - base)}, base, settled);
+      }
+    }
+    return base + std::log(sum);
+  }
+
+ private:
+  static constexpr double kNothing = -std::numeric_limits<double>::infinity();
+  static constexpr double kSettledLocally = 1e-4;
+  static constexpr double kLeastApart = 1e-4;
+  struct Node {
+    double x;
+    double height;
+  };
+
+  double at(double x) {
+    const double value = f_(x);
+    top_ = std::max(top_, value);
+    return value;
+  }
+  [[nodiscard]] bool counts(double value) const { return value > top_ - 16.0; }
+
+  double between(const Node& a, const Node& b, double base, double settled) {
+    const Node middle{0.5 * (a.x + b.x), std::exp(at(0.5 * (a.x + b.x)) - base)};
+    const double whole = 0.5 * (b.x - a.x) * (a.height + b.height);
+    const double halves = 0.5 * whole + 0.5 * (b.x - a.x) * middle.height;
+    if (std::abs(halves - whole) < settled || b.x - a.x < kLeastApart) {
+      return halves;
+    }
+    return between(a, middle, base, settled) + between(middle, b, base, settled);
+  }
+
+  const Function& f_;
+  double apart_{1.0};
+  double first_{0.0};
+  std::vector<double> values_;
+  double top_;
+};
 
 /// The next node of a grid of rules, one for each trait; false: it was the last.
 bool go_on(std::vector<Index>& node, Index nodes) {
@@ -115,13 +216,14 @@ bool go_on(std::vector<Index>& node, Index nodes) {
 
 }  // namespace
 
+void climb(const SmoothFunction& f, VectorXd& at) { static_cast<void>(climb_to_top(f, at)); }
+
 double logarithm_of_integral(const SmoothFunction& f, VectorXd& highest) {
   const Index size = highest.size();
-  const MatrixXd precision = climb(f, highest);
+  const auto [top, precision] = climb_to_top(f, highest);
   // z = highest + √2 L t with L Lᵀ the inverse of the precision.
   const MatrixXd lower = Eigen::LLT<MatrixXd>(precision.inverse()).matrixL();
   const HermiteRule& rule = rule_for(size);
-  const double top = f(highest);
   double sum = 0.0;
   std::vector<Index> node(static_cast<std::size_t>(size), 0);
   do {
@@ -138,6 +240,27 @@ double logarithm_of_integral(const SmoothFunction& f, VectorXd& highest) {
   const double scale =
       0.5 * static_cast<double>(size) * std::log(2.0) + lower.diagonal().array().log().sum();
   return top + std::log(sum) + scale;
+}
+
+double logarithm_of_rough_integral(const std::function<double(double)>& f) {
+  constexpr double kSettled = 5e-4;
+  constexpr double kLeastApart = 1.0 / 8.0;
+  NodesOfLine nodes(f);
+  double before = nodes.logarithm();
+  double moved_before = 0.0;
+  while (nodes.apart() > kLeastApart) {
+    nodes.halve();
+    const double now = nodes.logarithm();
+    // Of smooth functions each change is far less than the one before, of steps about half of it.
+    const double moved = std::abs(now - before);
+    const double next = moved_before > moved ? moved * moved / moved_before : moved;
+    if (next < kSettled) {
+      return now;
+    }
+    before = now;
+    moved_before = moved;
+  }
+  return nodes.logarithm_where_rough();
 }
 
 }  // namespace impetus::inline fitting

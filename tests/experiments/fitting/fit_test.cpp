@@ -60,27 +60,61 @@ TEST(AnswerLikelihood, OfOnePersonIsTheStatedModel) {
   EXPECT_NEAR(likelihood.logarithm(), expected, 1e-12);
 }
 
-// The integral over threshold and intercept, by a dense grid: ∫∫ P(answers | z) φ(z) dz.
+/// log ∫∫ P(answers | z) φ(z) dz over threshold and intercept, by a dense grid.
+double dense_logarithm(const AnswerLikelihood& likelihood, const AnsweringPerson& person) {
+  constexpr double kThresholdStep = 0.02;
+  constexpr double kInterceptStep = 0.1;
+  double sum = 0.0;
+  for (double threshold = -6.0; threshold <= 6.0; threshold += kThresholdStep) {
+    for (double intercept = -6.0; intercept <= 6.0; intercept += kInterceptStep) {
+      double chance = std::exp(-0.5 * (threshold * threshold + intercept * intercept)) /
+                      (2.0 * 3.14159265358979) * kThresholdStep * kInterceptStep;
+      for (const AnsweredTrial& trial : person.trials) {
+        chance *= likelihood.chance(trial, {threshold, intercept, 0.0});
+      }
+      sum += chance;
+    }
+  }
+  return std::log(sum);
+}
+
 TEST(AnswerLikelihood, OfAGroupIsTheIntegralOverTraits) {
   const ObserverFile file = shipped_observer("causality");
   const auto people =
       answering_group(file, rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
   AnswerLikelihood likelihood(*file.kind, *file.parameters, people, true);
   const std::vector<double> fast = likelihood.logarithms();
-  constexpr double kStep = 0.1;
   for (std::size_t i = 0; i < people.size(); ++i) {
-    double sum = 0.0;
-    for (double threshold = -6.0; threshold <= 6.0; threshold += kStep) {
-      for (double intercept = -6.0; intercept <= 6.0; intercept += kStep) {
-        double chance = std::exp(-0.5 * (threshold * threshold + intercept * intercept)) /
-                        (2.0 * 3.14159265358979) * kStep * kStep;
-        for (const AnsweredTrial& trial : people[i].trials) {
-          chance *= likelihood.chance(trial, {threshold, intercept, 0.0});
-        }
-        sum += chance;
-      }
-    }
-    EXPECT_NEAR(fast[i], std::log(sum), 2e-3) << "person " << i;  // 7 nodes a trait
+    EXPECT_NEAR(fast[i], dense_logarithm(likelihood, people[i]), 5e-4) << "person " << i;
+  }
+}
+
+// A threshold that each knows within 8 ms, of people who differ by 80: several hills.
+TEST(AnswerLikelihood, OfThresholdsThatAreStepsIsTheIntegralToo) {
+  const ObserverFile file = shipped_observer("causality");
+  const ObserverFile sharp = observer_with(
+      "causality", {{"threshold_width_ms", 8.0}, {"threshold_sd_ms", 80.0}, {"intercept_sd", 1.5}});
+  const auto people =
+      answering_group(file, rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
+  AnswerLikelihood likelihood(*sharp.kind, *sharp.parameters, people, true);
+  const std::vector<double> fast = likelihood.logarithms();
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    EXPECT_NEAR(fast[i], dense_logarithm(likelihood, people[i]), 5e-3) << "person " << i;
+  }
+}
+
+TEST(AnswerLikelihood, IsTheSameWhateverWasTriedBefore) {
+  const ObserverFile file = shipped_observer("causality");
+  const auto people =
+      answering_group(file, rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
+  AnswerLikelihood likelihood(*file.kind, *file.parameters, people, true);
+  const double at_first = likelihood.logarithm();
+  for (const MovableParameter& one : likelihood.movable()) {
+    const double as_assumed = *one.place;
+    *one.place = one.from_scale(one.on_scale(as_assumed) + 1.5);
+    static_cast<void>(likelihood.logarithm());
+    *one.place = as_assumed;
+    EXPECT_EQ(likelihood.logarithm(), at_first) << one.name;
   }
 }
 

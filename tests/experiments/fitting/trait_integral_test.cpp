@@ -42,6 +42,32 @@ TEST(TraitIntegral, FollowsWhatLiesFarFromTheMean) {
   EXPECT_GT(highest[0], 3.0);
 }
 
+// ∫ exp(-z²/2) (z < edge ? 1 : fall) dz = √(2π) (Φ(edge) + fall (1 - Φ(edge)))
+TEST(TraitIntegral, OfAStepIsExactWhereverItIs) {
+  for (const double edge : {-2.013, -0.499, 0.3, 1.77}) {
+    for (const double fall : {-30.0, -3.0, 2.0}) {
+      const double found = logarithm_of_rough_integral(
+          [&](double z) { return (z < edge ? 0.0 : fall) - 0.5 * z * z; });
+      const double below = 0.5 * std::erfc(-edge / std::sqrt(2.0));
+      EXPECT_NEAR(
+          found,
+          std::log(std::sqrt(2.0 * std::numbers::pi) * (below + std::exp(fall) * (1.0 - below))),
+          5e-3)
+          << edge << ' ' << fall;
+    }
+  }
+}
+
+// N(20, .03²), which lies between the nodes that are tried first.
+TEST(TraitIntegral, FindsWhatIsNarrowAndFarOff) {
+  const auto f = [](double z) {
+    const double off = (z - 20.3) / 0.03;
+    return -0.5 * off * off - 1e-3 * z * z;
+  };
+  EXPECT_NEAR(logarithm_of_rough_integral(f),
+              std::log(0.03 * std::sqrt(2.0 * std::numbers::pi)) - 1e-3 * 20.3 * 20.3, 1e-3);
+}
+
 // From where f curves the wrong way, too: two humps, of which one counts.
 TEST(TraitIntegral, ClimbsOutOfAHollow) {
   const auto f = [](const VectorXd& z) {
