@@ -131,7 +131,8 @@ analysis_words <- function(parts) {
   c(if (described) tested[1] else if (length(people) > 1) tested else
     if (length(people) == 1)
       "One participant's data are described; no test across participants was made.",
-    sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))
+    sprintf("Analyses ran in %s with %s.", R.version.string,
+      and_words(package_versions(if (length(people) == 1) character() else kinds))))
 }
 
 package_versions <- function(kinds) {
@@ -143,11 +144,14 @@ package_versions <- function(kinds) {
   paste(packages, vapply(packages, function(p) as.character(utils::packageVersion(p)), ""))
 }
 
-# What is cited in a report of these parts: references.dcf tells of which analyses each work is.
+# What is cited in a report of these parts: references.dcf tells of which analyses each work is,
+# and whether (By) of tests alone, which need several participants.
 cited_references <- function(parts) {
   kinds <- c("all", vapply(parts, `[[`, "", "response"),
     if (any(vapply(parts, function(part) !is.null(part$study$published), NA))) "published")
+  people <- unique(unlist(lapply(parts, function(part) as.character(part$trials$participant))))
   works <- read.dcf(code_file("references.dcf"))
-  cited <- vapply(strsplit(works[, "Of"], ", "), function(of) any(of %in% kinds), NA)
+  cited <- vapply(strsplit(works[, "Of"], ", "), function(of) any(of %in% kinds), NA) &
+    (length(people) != 1 | is.na(works[, "By"]))
   sort(works[cited, "Reference"])
 }

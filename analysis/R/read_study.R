@@ -23,7 +23,10 @@ read_trials <- function(path, protocol, view, what, where = "1") {
   study$protocol <- protocol
   study$hashes <- unique(study$trials$protocol_hash)
   if (nrow(study$trials) > 0) return(without_left_out(study, what))
-  refuse_without_answers(study$file, ": expected ", what, " of '", protocol, "', got none yet")
+  late <- study$timed_out[study$timed_out$catch == 0, ]
+  refuse_without_answers(study$file, ": expected ", what, " of '", protocol, "', got none ",
+    if (nrow(late) == 0) "yet" else sprintf("in time: no answer came in %d trials of %d participants",
+      length(unique(late$trial)), length(unique(late$participant))))
 }
 
 read_rows <- function(path, protocol, view, where) {

@@ -175,12 +175,13 @@ void check_scene(const std::filesystem::path& file) {
                   : (two_digits(floor_ms(staged, ThreadClock())) + " ms on this machine").c_str());
 }
 
-void check_one(const std::filesystem::path& file, const CheckOptions& options) {
+void check_one(const std::filesystem::path& file, const CheckOptions& options, SeriesNames& names) {
   if (is_scene(read_json(file))) {
     check_scene(file);
     return;
   }
   const Protocol protocol = load_protocol(file);
+  names.take(protocol.name);
   check_frames(protocol, options.refresh_hz, options.allow_rounding);
   if (!options.observer.empty()) {
     tell_unseen_factors(protocol, observer_for(protocol, file, options.observer));
@@ -198,8 +199,9 @@ int check(const CheckOptions& options) {
   int status = kDone;
   for (const std::string& file : options.files) {
     try {
+      SeriesNames names(file);
       for (const std::filesystem::path& protocol : load_series(shipped_file(file)).protocols) {
-        check_one(protocol, options);
+        check_one(protocol, options, names);
       }
     } catch (const std::runtime_error& error) {
       std::fflush(stdout);

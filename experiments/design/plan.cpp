@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -73,11 +74,45 @@ void number_as_shown(TrialBlocks& blocks, const Design& design) {
   }
 }
 
+/// The same, one by one, each at a place of its stretch where all that is there by then keeps to
+/// the rules. False: one has no such place.
+bool place_catch_trials(TrialBlocks& blocks, const Design& design, RandomStream& stream) {
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    std::vector<PlannedTrial> caught =
+        catch_trials_of_block(design, static_cast<std::int64_t>(block) + 1);
+    stream.shuffle(caught);
+    std::vector<PlannedTrial>& trials = blocks[block];
+    const std::size_t places = trials.size() + 1;
+    for (std::size_t stretch = caught.size();
+         stretch-- > 0;) {  // earlier places stay what they are
+      const std::size_t begin = stretch * places / caught.size();
+      const std::size_t end = std::max(begin + 1, (stretch + 1) * places / caught.size());
+      std::vector<std::size_t> tried(end - begin);
+      std::iota(tried.begin(), tried.end(), begin);
+      stream.shuffle(tried);
+      const bool found = std::any_of(tried.begin(), tried.end(), [&](std::size_t place) {
+        const auto at = trials.begin() + static_cast<std::ptrdiff_t>(place);
+        const auto put = trials.insert(at, caught[stretch]);
+        if (keeps_to(blocks, design.longest_runs)) {
+          return true;
+        }
+        trials.erase(put);
+        return false;
+      });
+      if (!found) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Puts the design's catch trials into every block. Their repetition counts those of one kind, in
 /// the order shown. False, and nothing done, when no places were found that keep to the longest
 /// runs; another order of the main trials may have some.
 bool spread_catch_trials(TrialBlocks& blocks, const Design& design, RandomStream& stream) {
   constexpr int kMostDraws = 200;
+  constexpr int kMostCareful = 5;
   if (design.catch_trials.empty()) {
     return true;
   }
@@ -89,6 +124,14 @@ bool spread_catch_trials(TrialBlocks& blocks, const Design& design, RandomStream
           with_catch_trials(blocks[block], catch_trials_of_block(design, number), stream));
     }
     if (keeps_to(spread, design.longest_runs)) {
+      number_as_shown(spread, design);
+      blocks = std::move(spread);
+      return true;
+    }
+  }
+  for (int draw = 0; draw < kMostCareful; ++draw) {
+    TrialBlocks spread = blocks;
+    if (place_catch_trials(spread, design, stream)) {
       number_as_shown(spread, design);
       blocks = std::move(spread);
       return true;
@@ -151,7 +194,7 @@ void number_tracks(TrialBlocks& blocks) {
 /// Where an order of the main trials leaves no places for the catch trials, another is drawn.
 void order_main_trials(TrialBlocks& blocks, const Design& design, RandomStream& order,
                        RandomStream& catches) {
-  constexpr int kMostOrders = 500;
+  constexpr int kMostOrders = 20;
   for (int draw = 0; draw < kMostOrders; ++draw) {
     draw_order(blocks, design.longest_runs, order);
     if (spread_catch_trials(blocks, design, catches)) {

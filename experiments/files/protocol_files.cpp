@@ -8,6 +8,7 @@
 #include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
+#include "experiments/protocol/checks/sense_checks.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
 #include "experiments/questions/two_interval.hpp"
@@ -84,8 +85,10 @@ Protocol protocol_from(JsonDocument document, const std::filesystem::path& path,
       scene ? path.parent_path() / protocol.document.value["scene"].get<std::string>()
             : named_file(protocol.document, path, "/scene", "a file");
   JsonDocument own = scene ? std::move(*scene) : read_json(file);
-  return with_scene(std::move(protocol),
-                    with_files(std::move(own), file, files_of_design(protocol)));
+  protocol =
+      with_scene(std::move(protocol), with_files(std::move(own), file, files_of_design(protocol)));
+  check_sense(protocol);
+  return protocol;
 }
 
 }  // namespace impetus::inline files

@@ -69,9 +69,9 @@ std::vector<std::string> exclusion_lines(const ExclusionRules& rules) {
   }
   if (rules.practice_right_below) {
     const std::int64_t least = *rules.practice_right_below;
-    lines.push_back(least == 1 ? "answers no trial of practice right"
-                               : "answers fewer than " + std::to_string(least) +
-                                     " trials of practice right");
+    lines.push_back(least == 1 ? "gives no right answer in practice"
+                               : "gives fewer than " + std::to_string(least) +
+                                     " right answers in practice");
   }
   return lines;
 }

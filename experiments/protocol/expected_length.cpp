@@ -28,6 +28,12 @@ StimulusLength stimulus_length(const Protocol& protocol) {
 }
 
 double expected_minutes(const Protocol& protocol, const Plan& plan) {
+  const TwoIntervalQuestion* two = find_two_interval(protocol.script);
+  const Questions& asked = protocol.script.asked;
+  const auto answers = std::max(
+      1.0, static_cast<double>(std::count_if(asked.begin(), asked.end(), [](const auto& question) {
+        return !question->kind().during_stimulus;
+      })));
   double seconds = kAssumedReading_s;
   for (const PlannedTrial& trial : plan) {
     if (trial.is_practice() && trial.repetition > 1) {
@@ -38,7 +44,8 @@ double expected_minutes(const Protocol& protocol, const Plan& plan) {
                  protocol.script.timing.between_adaptors_ms / 1e3;
       continue;
     }
-    seconds += kAssumedAnswer_s + protocol.script.timing.interval_ms / 1e3;
+    seconds += answers * kAssumedAnswer_s + protocol.script.timing.interval_ms / 1e3 +
+               (two != nullptr ? two->between_ms() / 1e3 : 0.0);
     for (const PlannedTrial& shown : stimuli_of(protocol.script, trial)) {
       const FixationTime& cross = protocol.script.timing.fixation;
       seconds +=

@@ -86,6 +86,13 @@ json with_own_levels(json document, const OwnLevels& own) {
   if (document.contains("two_interval")) {
     put_own(own, document["two_interval"]["standard"]);
   }
+  if (document.contains("slider")) {
+    for (json& scale : document["slider"]["scales"]) {
+      if (scale.contains("when")) {
+        put_own(own, scale["when"]);
+      }
+    }
+  }
   return document;
 }
 

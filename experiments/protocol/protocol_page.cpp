@@ -120,10 +120,15 @@ std::string showing_words(const Scene& scene) {
 }
 
 /// By which keys and how soon it is to be answered, where the protocol says so.
-std::string answering_words(const Question& question) {
+std::string answering_words(const Question& question, const Design& design) {
   std::string words;
   for (const std::string& key : question.keys()) {
     words += (words.empty() ? "; by the keys " : ", ") + markdown_text(key);
+  }
+  for (const Factor& factor : design.factors) {
+    if (factor.keys_of == question.kind().protocol_key) {
+      words = "; by the keys that `" + factor.name + "` says";
+    }
   }
   return words + (question.timeout_ms() > 0.0
                       ? "; at most " + number_words(question.timeout_ms()) + " ms to answer"
@@ -139,8 +144,10 @@ std::string trial(const Protocol& protocol) {
                      "blank; the trial before is saved"});
   page += table_row({span_words(script.timing.fixation), "fixation cross"});
   const TwoIntervalQuestion* two = find_two_interval(script);
-  std::string what = two != nullptr ? "two stimuli, in random order, " +
-                                          number_words(two->between_ms()) + " ms apart"
+  std::string what = two != nullptr ? "two stimuli in random order, one with " +
+                                          markdown_text(condition_words(two->standard_levels())) +
+                                          "; " + number_words(two->between_ms()) +
+                                          " ms between them, and the cross again"
                                     : "the stimulus";
   what += showing_words(Scene(protocol.scene.value));
   std::string questions;
@@ -150,7 +157,7 @@ std::string trial(const Protocol& protocol) {
     if (question->kind().during_stimulus) {
       what += "; " + words;
     } else {
-      questions += table_row({"then", words + answering_words(*question)});
+      questions += table_row({"then", words + answering_words(*question, protocol.design)});
     }
   }
   if (script.gaze) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/series_file.hpp"
 
+#include <algorithm>
+
+#include "experiments/settings/input_error.hpp"
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/named_file.hpp"
 #include "experiments/settings/schema_sentences.hpp"
@@ -53,6 +56,14 @@ Series load_series(const std::filesystem::path& path) {
     check_people_take_part(document, place, series.protocols[i]);
   }
   return series;
+}
+
+void SeriesNames::take(const std::string& name) {
+  if (std::find(taken_.begin(), taken_.end(), name) != taken_.end()) {
+    throw InputError(file_ + ":/protocols/" + std::to_string(taken_.size()) +
+                     ": expected a protocol of another name, got \"" + name + "\" again");
+  }
+  taken_.push_back(name);
 }
 
 }  // namespace impetus::inline protocol

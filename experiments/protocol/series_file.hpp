@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/settings/setting_rows.hpp"
@@ -23,5 +24,17 @@ OrderedJson series_file_schema();
 /// The series in the file, or one of a single protocol when the file is that. Throws InputError
 /// with one sentence, "file:/pointer: expected ..., got ...".
 Series load_series(const std::filesystem::path& path);
+
+/// The names of a series' protocols, which differ: a study tells them apart by them.
+class SeriesNames {
+ public:
+  explicit SeriesNames(std::string file) : file_(std::move(file)) {}
+  /// The next one's. Throws InputError where an earlier one has it.
+  void take(const std::string& name);
+
+ private:
+  std::string file_;
+  std::vector<std::string> taken_;
+};
 
 }  // namespace impetus::inline protocol

@@ -45,7 +45,9 @@ std::vector<std::string> keys_under(const KeyFactor& factor, const Condition& co
 void sort_by_places(std::vector<std::size_t>& answers, const std::vector<std::string>& keys,
                     const std::vector<std::string>& places) {
   const auto place = [&](std::size_t answer) {
-    return std::find(places.begin(), places.end(), keys[answer]) - places.begin();
+    const bool has_key = answer < keys.size();
+    return (has_key ? std::find(places.begin(), places.end(), keys[answer]) : places.end()) -
+           places.begin();
   };
   std::stable_sort(answers.begin(), answers.end(),
                    [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
@@ -76,7 +78,7 @@ KeyedPage with_keys(Page page, const Question& question, const Script& script,
   const KeyFactor* factor = find_key_factor(script, question);
   const std::vector<std::string> keys =
       factor == nullptr ? question.keys() : keys_under(*factor, condition);
-  for (std::size_t answer = 0; answer < keys.size(); ++answer) {
+  for (std::size_t answer = 0; answer < std::min(keys.size(), answers.size()); ++answer) {
     page.choices[answer].key = keys[answer];
   }
   if (factor != nullptr) {

@@ -15,7 +15,9 @@ constexpr const char* kFinished =
     "JOIN protocol ON protocol.id = protocol_id "
     "WHERE finished_utc IS NOT NULL AND protocol.name = ? AND pseudonym ";
 
-constexpr const char* kOthers = "<> ? AND participant.simulated = ? ORDER BY ";
+constexpr const char* kOthers =
+    "<> ? AND participant.simulated = ? AND (?4 = '' OR EXISTS (SELECT 1 FROM trial "
+    "WHERE enrolment_id = enrolment.id AND condition = ?4)) ORDER BY ";
 
 template <typename... Values>
 std::optional<YokePartner> first_partner(StudyFile& study, const std::string& sql,
@@ -40,20 +42,22 @@ std::optional<YokePartner> finished_partner(StudyFile& study, const std::string&
 }
 
 std::optional<YokePartner> last_partner(StudyFile& study, const std::string& protocol,
-                                        const std::string& but, bool simulated) {
+                                        const std::string& but, bool simulated,
+                                        const std::string& followed) {
   return first_partner(study,
                        std::string(kFinished) + kOthers + "finished_utc DESC, enrolment.id DESC",
-                       protocol, but, simulated ? 1 : 0);
+                       protocol, but, simulated ? 1 : 0, followed);
 }
 
 std::optional<YokePartner> least_followed_partner(StudyFile& study, const std::string& protocol,
-                                                  const std::string& but, bool simulated) {
+                                                  const std::string& but, bool simulated,
+                                                  const std::string& followed) {
   return first_partner(study,
                        std::string(kFinished) + kOthers +
                            "(SELECT count(DISTINCT follower.enrolment_id) FROM trial AS followed "
                            "JOIN trial AS follower ON follower.yoked_trial_id = followed.id "
                            "WHERE followed.enrolment_id = enrolment.id), enrolment.id",
-                       protocol, but, simulated ? 1 : 0);
+                       protocol, but, simulated ? 1 : 0, followed);
 }
 
 std::vector<YokeSource> yoke_sources(StudyFile& study, const YokePartner& partner) {

@@ -38,13 +38,16 @@ bool has_participant(StudyFile& study, const std::string& pseudonym);
 std::optional<YokePartner> finished_partner(StudyFile& study, const std::string& pseudonym,
                                             const std::string& protocol);
 
-/// Of those of one kind (simulated or not) who have finished, but for `but`: the last one.
+/// Of those of one kind (simulated or not) who have finished, with trials under the condition
+/// `followed` (JSON; "": any), but for `but`: the last one.
 std::optional<YokePartner> last_partner(StudyFile& study, const std::string& protocol,
-                                        const std::string& but, bool simulated);
+                                        const std::string& but, bool simulated,
+                                        const std::string& followed);
 
 /// The same, the first whom the fewest others are yoked to.
 std::optional<YokePartner> least_followed_partner(StudyFile& study, const std::string& protocol,
-                                                  const std::string& but, bool simulated);
+                                                  const std::string& but, bool simulated,
+                                                  const std::string& followed);
 
 /// The partner's trials in the order of the plan.
 std::vector<YokeSource> yoke_sources(StudyFile& study, const YokePartner& partner);

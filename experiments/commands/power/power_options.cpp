@@ -75,6 +75,15 @@ json tested_factors(const Protocol& protocol, const PowerOptions& options) {
   if (!options.compared.empty() && !options.factors.empty()) {
     throw InputError("--factor: expected either --factor or --compare, got both");
   }
+  const std::optional<Adaptive>& adaptive = protocol.design.adaptive;
+  const std::vector<Factor>& factors = protocol.design.factors;
+  if (adaptive && std::none_of(factors.begin(), factors.end(), [&](const Factor& factor) {
+        return factor.name != adaptive->factor && factor.levels.size() > 1;
+      })) {
+    refuse(protocol.document, "/design/factors",
+           "expected a factor beside " + json_text(adaptive->factor) +
+               ", between whose levels thresholds can be compared, got none");
+  }
   for (const std::string& name : options.factors) {
     if (factor_named(protocol, "--factor", name).levels.size() < 2) {
       throw InputError("--factor: expected a factor that varies, got " + name + ", of one level");

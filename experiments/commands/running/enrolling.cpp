@@ -45,14 +45,16 @@ std::string value_at(const json& scene, const std::string& pointer) {
 /// Finds for one participant whom to follow, and in which trial.
 class Yoking {
  public:
-  Yoking(StudyFile& study, const Protocol& protocol, const std::string& participant, bool simulated)
+  /// `followed`: a condition that the partner has trials under.
+  Yoking(StudyFile& study, const Protocol& protocol, const std::string& participant, bool simulated,
+         const Condition& followed)
       : study_(study),
         protocol_(protocol),
         rule_(*protocol.script.gaze->yoked_to),
         source_name_(rule_.protocol.empty() ? protocol.name : rule_.protocol),
         participant_(participant),
         simulated_(simulated),
-        partner_(find_partner()),
+        partner_(find_partner(to_json(followed).dump())),
         sources_(yoke_sources(study, partner_)),
         source_protocol_(load_source()) {}
 
@@ -77,20 +79,26 @@ class Yoking {
   }
 
  private:
-  YokePartner find_partner() {
+  YokePartner find_partner(const std::string& followed) {
     const std::string place = std::string(kPlace) + "/participant";
     if (rule_.participant == YokeRule::kPrevious || rule_.participant == YokeRule::kLeastFollowed) {
-      const auto found =
-          rule_.participant == YokeRule::kPrevious
-              ? last_partner(study_, source_name_, participant_, simulated_)
-              : least_followed_partner(study_, source_name_, participant_, simulated_);
+      const auto find =
+          rule_.participant == YokeRule::kPrevious ? last_partner : least_followed_partner;
+      const bool from_here = rule_.protocol.empty();
+      auto found = find(study_, source_name_, participant_, simulated_, followed);
+      if (!found && !from_here) {
+        found = find(study_, source_name_, participant_, simulated_, "");  // source_of() tells why
+      }
       if (found) {
         return *found;
       }
       refuse(protocol_.document, place,
              "expected another " + std::string(simulated_ ? "simulated participant" : "person") +
                  " who has finished " + source_name_ + " in " + study_.name() +
-                 ", but there is none yet; " + how_to_start());
+                 (from_here ? " under " + followed : "") + ", but there is none yet; " +
+                 (from_here ? "somebody whose regions are tracked has to be first, which --seed "
+                              "decides"
+                            : "run " + source_name_ + " first"));
     }
     if (!has_participant(study_, rule_.participant)) {
       refuse(
@@ -104,12 +112,6 @@ class Yoking {
                  study_.name() + ", got " + json(rule_.participant).dump());
     }
     return *found;
-  }
-
-  [[nodiscard]] std::string how_to_start() const {
-    return rule_.protocol.empty()
-               ? "name a protocol without recorded regions, run before, in " + std::string(kPlace)
-               : "run " + source_name_ + " first";
   }
 
   Protocol load_source() {
@@ -163,7 +165,7 @@ Plan yoked(Plan plan, StudyFile& study, const Protocol& protocol, const std::str
   for (PlannedTrial& trial : plan) {
     if (const auto followed = followed_condition(protocol, trial.condition)) {
       if (!yoking) {
-        yoking.emplace(study, protocol, participant, simulated);
+        yoking.emplace(study, protocol, participant, simulated, *followed);
       }
       trial.yoked_trial_id = yoking->source_of(trial, *followed);
     }

@@ -160,7 +160,7 @@ std::string observer_of(const RunOptions& options, std::size_t part, std::size_t
 std::vector<RunPart> parts_from(const Series& series, const RunOptions& options) {
   const std::size_t count = series.protocols.size();
   std::vector<RunPart> parts;
-  std::set<std::string> names;
+  SeriesNames names(options.protocol);
   for (std::size_t i = 0; i < count; ++i) {
     parts.push_back(part_from(series.protocols[i], observer_of(options, i, count), options));
     RunPart& part = parts.back();
@@ -170,11 +170,7 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
       part.protocol.script.thanks = part_complete(part.protocol.script.language, i + 1, count);
       part.protocol.script.part_follows = true;
     }
-    if (!names.insert(part.protocol.name).second) {
-      throw InputError(options.protocol + ":/protocols/" + std::to_string(i) +
-                       ": expected a protocol of another name, got \"" + part.protocol.name +
-                       "\" again");
-    }
+    names.take(part.protocol.name);
   }
   for (RunPart& part : parts) {  // which share one laboratory
     for (const RunPart& other : parts) {

@@ -175,17 +175,16 @@ void check_standard(const Protocol& protocol) {
     return;
   }
   const std::string place = "/two_interval/standard";
+  const auto place_of = [&](const FactorLevel& level) { return place + "/" + level.factor; };
   for (const FactorLevel& level : question->standard_levels()) {
-    const std::string message = complaint(scene_under(protocol, {level}), *protocol.shapes);
-    if (!message.empty()) {
-      refuse(protocol.document, place + "/" + level.factor, message);
-    }
+    require_level_in_schema(protocol, level, place_of(level));
   }
   for (const Condition& cell : cells(protocol.design)) {
     const Condition standard = question->standard(cell);
     const json scene = scene_under(protocol, standard);
     const auto problems = scene_problems(scene, *protocol.shapes);
     if (!problems.empty()) {
+      refuse_fault(protocol, question->standard_levels(), place_of, problems.front().message);
       refuse(protocol.document, place,
              problems.front().pointer + " of the scene under " + to_json(standard).dump() + ": " +
                  problems.front().message);

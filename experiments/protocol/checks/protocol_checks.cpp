@@ -30,13 +30,20 @@ std::string count_text(double count) { return printed("%.15g", count); }
 /// Refuses a design that nobody could sit through before its cells fill the memory.
 void check_size(const Protocol& protocol) {
   auto trials = static_cast<double>(protocol.design.repetitions);
+  double conditions = 1.0;
   for (const Factor& factor : protocol.design.factors) {
-    trials *= static_cast<double>(factor.levels.size());
+    conditions *= static_cast<double>(factor.levels.size());
+    trials *= factor.between ? 1.0 : static_cast<double>(factor.levels.size());
+  }
+  if (conditions > kMostTrials) {
+    refuse(protocol.document, "/design",
+           "expected at most 10000 conditions, got " + count_text(conditions) +
+               " (levels of all factors)");
   }
   if (trials > kMostTrials) {
     refuse(protocol.document, "/design",
            "expected at most 10000 trials, got " + count_text(trials) +
-               " (levels of all factors × repetitions)");
+               " (levels of all factors within participants × repetitions)");
   }
 }
 

@@ -41,17 +41,52 @@ void require_frames(const JsonDocument& document, const std::string& place, doub
   }
 }
 
+/// The same of a value of the scene that no factor points to: the scene's own, and what the words
+/// of factors and demonstrations put in its place.
+void require_frames_of_scene(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
+  const json::json_pointer pointer(bound.pointer);
+  const json& scene = protocol.scene.value;
+  const auto require = [&](const JsonDocument& document, const std::string& place,
+                           const json& shown) {
+    if (shown.contains(pointer)) {
+      require_frames(document, place, shown[pointer].get<double>(), bound.unit_s, hz);
+    }
+  };
+  bool is_overridden = false;
+  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
+    const Factor& factor = protocol.design.factors[i];
+    bool is_by_all = !factor.sets.empty();
+    for (const auto& [word, values] : factor.sets) {
+      const json shown = scene_under(protocol, {{factor.name, word}});
+      const bool is_own =
+          shown.contains(pointer) && scene.contains(pointer) && shown[pointer] == scene[pointer];
+      if (!is_own) {
+        require(protocol.document, item("/design/factors", i) + "/sets/" + word, shown);
+      }
+      is_by_all = is_by_all && !is_own;
+    }
+    is_overridden = is_overridden || is_by_all;
+  }
+  if (!is_overridden) {
+    require(protocol.scene, bound.pointer, scene);
+  }
+}
+
 void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
+  for (std::size_t i = 0; i < protocol.script.demonstrations.size(); ++i) {
+    for (const auto& [pointer, value] : protocol.script.demonstrations[i].set) {
+      if (pointer == bound.pointer) {
+        require_frames(protocol.document, item("/session/demonstrations", i) + "/set",
+                       std::get<double>(value), bound.unit_s, hz);
+      }
+    }
+  }
   const std::vector<Factor>& factors = protocol.design.factors;
   const auto factor = std::find_if(factors.begin(), factors.end(), [&](const Factor& each) {
     return each.pointer == bound.pointer;
   });
   if (factor == factors.end()) {
-    const json::json_pointer pointer(bound.pointer);
-    const json& scene = protocol.scene.value;
-    if (scene.contains(pointer)) {
-      require_frames(protocol.scene, bound.pointer, scene[pointer].get<double>(), bound.unit_s, hz);
-    }
+    require_frames_of_scene(protocol, bound, hz);
     return;
   }
   const auto require_level = [&](const std::string& place, const LevelValue& level) {
@@ -94,20 +129,39 @@ bool names_single_value(const json& scene, const std::string& pointer) {
   }
 }
 
+void require_level_in_schema(const Protocol& protocol, const FactorLevel& level,
+                             const std::string& place) {
+  if (const auto problem = find_scene_schema_problem(scene_under(protocol, {level}))) {
+    refuse(protocol.document, place, problem->message);
+  }
+}
+
+void refuse_fault(const Protocol& protocol, const Condition& levels, const LevelPlace& place_of,
+                  const std::string& message) {
+  for (const FactorLevel& level : levels) {
+    if (complaint(scene_under(protocol, {level}), *protocol.shapes) == message) {
+      refuse(protocol.document, place_of(level), message);
+    }
+  }
+}
+
 void check_levels(const Protocol& protocol) {
-  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
-    const Factor& factor = protocol.design.factors[i];
-    for (std::size_t j = 0; j < factor.levels.size(); ++j) {
-      const json scene = scene_under(protocol, {{factor.name, factor.levels[j]}});
-      const std::string message = complaint(scene, *protocol.shapes);
-      if (!message.empty()) {
-        refuse(protocol.document, item(item("/design/factors", i) + "/levels", j), message);
-      }
+  const auto place_of = [&](const FactorLevel& level) {
+    const std::size_t place = factor_place(protocol.design, level.factor);
+    const std::vector<LevelValue>& levels = protocol.design.factors[place].levels;
+    const auto at = std::find(levels.begin(), levels.end(), level.value) - levels.begin();
+    return item(item("/design/factors", place) + "/levels", static_cast<std::size_t>(at));
+  };
+  for (const Factor& factor : protocol.design.factors) {
+    for (const LevelValue& value : factor.levels) {
+      const FactorLevel level{factor.name, value};
+      require_level_in_schema(protocol, level, place_of(level));
     }
   }
   for (const Condition& cell : cells(protocol.design)) {
     const auto problems = scene_problems(scene_under(protocol, cell), *protocol.shapes);
     if (!problems.empty()) {
+      refuse_fault(protocol, cell, place_of, problems.front().message);
       refuse(protocol.document, "/design/factors",
              problems.front().pointer + " of the scene under " + to_json(cell).dump() + ": " +
                  problems.front().message);
@@ -117,15 +171,16 @@ void check_levels(const Protocol& protocol) {
 
 void check_scenes_beside(const Protocol& protocol) {
   for (const ConditionBeside& beside : conditions_beside(protocol.design)) {
+    const auto place_of = [&](const FactorLevel& level) {
+      return beside.place + "/" + level.factor;
+    };
     for (const FactorLevel& level : beside.condition) {
-      const std::string message = complaint(scene_under(protocol, {level}), *protocol.shapes);
-      if (!message.empty()) {
-        refuse(protocol.document, beside.place + "/" + level.factor, message);
-      }
+      require_level_in_schema(protocol, level, place_of(level));
     }
     for (const Condition& condition : in_every_group(beside.condition, protocol.design)) {
       const std::string message = complaint(scene_under(protocol, condition), *protocol.shapes);
       if (!message.empty()) {
+        refuse_fault(protocol, beside.condition, place_of, message);
         refuse(protocol.document, beside.place, message);
       }
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "experiments/protocol/protocol_file.hpp"
@@ -13,6 +14,17 @@ bool names_single_value(const nlohmann::json& scene, const std::string& pointer)
 
 /// What the scene's schema or the scene itself says against `scene`; "" when it can be shown.
 std::string complaint(const nlohmann::json& scene, ShapeLibrary& shapes);
+
+/// Refuses a level at `place` that the schema of scenes does.
+void require_level_in_schema(const Protocol& protocol, const FactorLevel& level,
+                             const std::string& place);
+
+/// Where a level is written.
+using LevelPlace = std::function<std::string(const FactorLevel& level)>;
+
+/// Refuses the level of a scene with a fault that has the same by itself, if there is one.
+void refuse_fault(const Protocol& protocol, const Condition& levels, const LevelPlace& place_of,
+                  const std::string& message);
 
 /// Every level and every cell, put into the scene, leaves a scene that can be shown. Throws
 /// InputError.

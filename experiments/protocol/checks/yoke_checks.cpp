@@ -39,6 +39,12 @@ void check_factor(const Protocol& protocol) {
            "expected the level \"tracked\", whose gaze \"recorded\" follows, or another protocol "
            "in /gaze/yoked_to");
   }
+  if (from_here && !factor->between) {
+    refuse(protocol.document, "/gaze/yoked_to",
+           "expected the name of another protocol, run before, or nobody could be the first, since "
+           "everybody has recorded regions (\"" +
+               factor->name + "\" is no factor between participants)");
+  }
 }
 
 }  // namespace

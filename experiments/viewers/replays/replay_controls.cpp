@@ -271,10 +271,6 @@ class TimelineDrawing {
 
 }  // namespace
 
-float toolbar_height(const Gui& gui) {
-  return std::round(2.0F * (kRowHeight + kRowGap) * gui.fonts().small->FontSize);
-}
-
 std::optional<ReplayCommand> draw_toolbar(const Gui& gui, const ReplayPlayback& playback,
                                           const std::vector<TimelineMark>& marks,
                                           const ReplayLook& look, float width_px) {

@@ -20,10 +20,8 @@
 
 namespace impetus::inline viewers {
 
-/// What the two rows of buttons take, in pixels.
-[[nodiscard]] float toolbar_height(const Gui& gui);
-
-/// Draws the buttons from the cursor down, at most `width_px` wide. Jumps that `marks` have no aim
+/// Draws the buttons from the cursor down, in as many rows as `width_px` asks for, and leaves the
+/// cursor below them. Jumps that `marks` have no aim
 /// for are left out. Returns the command that was clicked.
 std::optional<ReplayCommand> draw_toolbar(const Gui& gui, const ReplayPlayback& playback,
                                           const std::vector<TimelineMark>& marks,

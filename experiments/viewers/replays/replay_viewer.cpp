@@ -269,9 +269,11 @@ class ReplayScreen final : public ViewerScreen {
     const Gui& gui = canvas_.gui;
     ImGui::SetCursorScreenPos(ImVec2(screen_margin(gui), gui.height() - footer_height()));
     draw_state();
+    const float top_px = ImGui::GetCursorScreenPos().y;
     const auto clicked =
         draw_toolbar(gui, playback_, loaded_.view.marks, look_, content_width(gui));
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    toolbar_px_ = at.y - top_px;
     const auto sought = draw_timeline(gui, loaded_.view.marks,
                                       {ImVec2(screen_margin(gui), at.y), content_width(gui),
                                        playback_.span_s(), playback_.time_s()});
@@ -329,7 +331,7 @@ class ReplayScreen final : public ViewerScreen {
 
   [[nodiscard]] float footer_height() const {
     const Gui& gui = canvas_.gui;
-    return std::round(0.5F * screen_margin(gui) + timeline_height(gui) + toolbar_height(gui) +
+    return std::round(0.5F * screen_margin(gui) + timeline_height(gui) + toolbar_px_ +
                       1.35F * gui.fonts().body[2]->FontSize + 0.3F * gui.fonts().small->FontSize);
   }
 
@@ -345,7 +347,8 @@ class ReplayScreen final : public ViewerScreen {
   ReplayPicture finest_picture_;
   std::vector<ReplayMoment> shown_;  ///< in the panes of this frame
   std::optional<std::int64_t> parting_step_;
-  float header_px_{0.0F};
+  float header_px_{0.0F};   ///< as drawn last
+  float toolbar_px_{0.0F};  ///< the same
   bool help_shown_{false};
   bool drags_{false};
   bool saves_{false};   ///< a picture was asked for

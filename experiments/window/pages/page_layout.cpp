@@ -79,12 +79,17 @@ std::optional<std::size_t> draw_points(const Page& page, const Column& column,
   return clicked;
 }
 
-/// The largest letters in which every label fits the width; none when not even the smallest do.
-ImFont* font_within(const Gui& gui, const Page& page, float width_px) {
+constexpr float kClosestEms = 0.25F;  ///< between choices one below the other
+
+/// The largest letters in which every label fits the width, and a line of it the height; none when
+/// not even the smallest do.
+ImFont* font_within(const Gui& gui, const Page& page, float width_px, float height_px) {
   const Fonts& fonts = gui.fonts();
   for (ImFont* font : {fonts.title[0], fonts.body[0], fonts.body[1]}) {
     ImGui::PushFont(font);
-    const bool fits = largest_button(page).x <= width_px;
+    const ImVec2 largest = largest_button(page);
+    const bool fits =
+        largest.x <= width_px && largest.y + kClosestEms * ImGui::GetFontSize() <= height_px;
     ImGui::PopFont();
     if (fits) {
       return font;
@@ -95,21 +100,28 @@ ImFont* font_within(const Gui& gui, const Page& page, float width_px) {
 
 /// Side by side and of one size; one below the other when their words are long.
 std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
-                                              const Column& column, const ChoiceMarks& marks) {
-  const float gap_px = std::round(1.2F * ImGui::GetFontSize());
+                                              const Column& column, const ChoiceMarks& marks,
+                                              float bottom_px) {
+  float gap_px = std::round(1.2F * ImGui::GetFontSize());
   const auto count = static_cast<float>(page.choices.size());
   const float share_px = std::floor((column.width - (count - 1.0F) * gap_px) / count);
-  ImFont* font = font_within(gui, page, share_px);
+  ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
+  const float room_px = bottom_px - at.y;
+  ImFont* font = font_within(gui, page, share_px, room_px);
   const bool abreast = font != nullptr;
   if (!abreast) {
-    font = font_within(gui, page, column.width);
+    font = font_within(gui, page, column.width, room_px / count);
   }
   ImGui::PushFont(font != nullptr ? font : gui.fonts().body[kReadingSizes - 1]);
   const float width_px = abreast ? share_px : column.width;
-  const ImVec2 size_px(width_px, std::max(std::round(3.0F * ImGui::GetFontSize()),
-                                          largest_button(page, width_px).y));
+  ImVec2 size_px(width_px, std::max(std::round(3.0F * ImGui::GetFontSize()),
+                                    largest_button(page, width_px).y));
   std::optional<std::size_t> clicked;
-  ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
+  if (!abreast && count * (size_px.y + gap_px) > room_px) {  // closer, until all fit
+    gap_px = std::round(kClosestEms * ImGui::GetFontSize());
+    size_px.y = std::clamp(std::floor(room_px / count) - gap_px, largest_button(page, width_px).y,
+                           size_px.y);
+  }
   for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
     ImGui::SetCursorScreenPos(at);
     if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
@@ -209,13 +221,13 @@ void draw_words(const Gui& gui, const Page& page, std::size_t reading_size) {
   }
 }
 
-std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
-                                        const ChoiceMarks& marks) {
+std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks,
+                                        float bottom_px) {
   const Column column = reading_column(gui);
   move_down(part_gap());
   if (page.layout == Page::Layout::kChoices) {
     move_down(part_gap());
-    return draw_large_choices(gui, page, column, marks);
+    return draw_large_choices(gui, page, column, marks, bottom_px);
   }
   if (page.layout != Page::Layout::kScale) {
     return draw_rows(page, column, marks);

@@ -31,9 +31,11 @@ struct ChoiceMarks {
 /// Title and paragraphs, from the cursor down.
 void draw_words(const Gui& gui, const Page& page, std::size_t reading_size);
 
-/// The choices as buttons in rows, as the points of a scale with its anchors, or large and side by
-/// side. Returns the one that was clicked.
-std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks);
+/// The choices as buttons in rows, as the points of a scale with its anchors, or large, side by
+/// side or, above `bottom_px` where that can be, one below the other. Returns the one that was
+/// clicked.
+std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks,
+                                        float bottom_px);
 
 /// The points that were looked at and where the gaze was, from the cursor down; nothing without
 /// points.

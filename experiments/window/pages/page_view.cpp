@@ -13,6 +13,10 @@ constexpr float kMarginShare = 0.05F;    // of the window's height, above and be
 constexpr float kOpticalCentre = 0.44F;  // a block looks centred a little above the middle
 constexpr float kScrollStep = 0.8F;      // of what is visible
 
+/// The bar of the time that is left, and what is free above it.
+float time_bar_height() { return std::max(3.0F, std::round(0.12F * ImGui::GetFontSize())); }
+float time_bar_gap() { return std::round(1.5F * part_gap()); }
+
 }  // namespace
 
 PageView::PageView(const Page& page, Gui& gui) : page_(page), gui_(gui) {
@@ -40,7 +44,9 @@ std::optional<std::size_t> PageView::draw() {
   draw_point_map(gui_, page_.point_map, page_.progress.language);
   draw_fields(column);
   const float choices_top = ImGui::GetCursorScreenPos().y;
-  const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_});
+  const float time_px = page_.timeout_ms > 0.0 ? time_bar_gap() + time_bar_height() : 0.0F;
+  const float bottom = top + visible_height() - time_px;
+  const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_}, bottom);
   const bool is_to_be_read = page_.choice_at_end && !end_was_seen_;
   if (seeks_focus_ && focused_choice() && !is_to_be_read) {
     scroll_to(choices_top, ImGui::GetCursorScreenPos().y);
@@ -176,8 +182,8 @@ void PageView::draw_time_left(const Column& column) const {
   if (page_.timeout_ms <= 0.0) {
     return;
   }
-  const float height = std::max(3.0F, std::round(0.12F * ImGui::GetFontSize()));
-  const float top = ImGui::GetCursorScreenPos().y + std::round(1.5F * part_gap());
+  const float height = time_bar_height();
+  const float top = ImGui::GetCursorScreenPos().y + time_bar_gap();
   const float left_px = column.width * static_cast<float>(std::clamp(time_left_, 0.0, 1.0));
   const float middle = column.left + 0.5F * column.width;
   ImDrawList& draw = *ImGui::GetWindowDrawList();

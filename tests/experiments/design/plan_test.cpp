@@ -9,6 +9,7 @@
 
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/design/between_participants.hpp"
+#include "experiments/design/trial_order.hpp"
 #include "tests/experiments/fakes.hpp"
 
 namespace impetus::plan_test {
@@ -98,6 +99,31 @@ TEST(Plan, AnOrderThatCannotExistIsRefused) {
     EXPECT_STREQ(error.what(),
                  "no order of the trials that keeps to the longest runs was found in 100000 draws");
   }
+}
+
+// Of orders drawn blindly none in thousands keeps to the rules.
+TEST(Plan, ManyCatchTrialsFindTheirPlacesAmongTheLongestRuns) {
+  Design design;
+  design.factors = {{"delay", {0.0, 100.0, 300.0}, "/delay"}, {"speed", {5.0, 10.0}, "/speed"}};
+  design.repetitions = 40;
+  design.longest_runs = {{"delay", 2}, {"speed", 3}};
+  design.catch_trials = {{{{"delay", 500.0}, {"speed", 5.0}}, 40}};
+  const Plan plan = make_plan(design, {"x", "P01", 1});
+  ASSERT_EQ(plan.size(), 240U + 40U);
+  EXPECT_TRUE(keeps_to({plan}, design.longest_runs));
+  // Each in the stretch of the session that is its own.
+  std::size_t main = 0;
+  std::size_t caught = 0;
+  for (const PlannedTrial& trial : plan) {
+    if (trial.catch_trial) {
+      EXPECT_GE(main, caught * 241 / 40);
+      EXPECT_LE(main, (caught + 1) * 241 / 40);
+      ++caught;
+    } else {
+      ++main;
+    }
+  }
+  EXPECT_EQ(caught, 40U);
 }
 
 // ---------------------------------------------------------------- between participants

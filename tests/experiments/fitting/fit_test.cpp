@@ -78,29 +78,24 @@ double dense_logarithm(const AnswerLikelihood& likelihood, const AnsweringPerson
   return std::log(sum);
 }
 
-TEST(AnswerLikelihood, OfAGroupIsTheIntegralOverTraits) {
-  const ObserverFile file = shipped_observer("causality");
-  const auto people =
-      answering_group(file, rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
+/// The likelihood under `numbers` of three people who answered as the shipped observer.
+void expect_dense(const std::map<std::string, double>& numbers, double tolerance) {
+  const auto people = answering_group(shipped_observer("causality"),
+                                      rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
+  const ObserverFile file = observer_with("causality", numbers);
   AnswerLikelihood likelihood(*file.kind, *file.parameters, people, true);
   const std::vector<double> fast = likelihood.logarithms();
   for (std::size_t i = 0; i < people.size(); ++i) {
-    EXPECT_NEAR(fast[i], dense_logarithm(likelihood, people[i]), 5e-4) << "person " << i;
+    EXPECT_NEAR(fast[i], dense_logarithm(likelihood, people[i]), tolerance) << "person " << i;
   }
 }
 
+TEST(AnswerLikelihood, OfAGroupIsTheIntegralOverTraits) { expect_dense({}, 5e-4); }
+
 // A threshold that each knows within 8 ms, of people who differ by 80: several hills.
 TEST(AnswerLikelihood, OfThresholdsThatAreStepsIsTheIntegralToo) {
-  const ObserverFile file = shipped_observer("causality");
-  const ObserverFile sharp = observer_with(
-      "causality", {{"threshold_width_ms", 8.0}, {"threshold_sd_ms", 80.0}, {"intercept_sd", 1.5}});
-  const auto people =
-      answering_group(file, rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
-  AnswerLikelihood likelihood(*sharp.kind, *sharp.parameters, people, true);
-  const std::vector<double> fast = likelihood.logarithms();
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    EXPECT_NEAR(fast[i], dense_logarithm(likelihood, people[i]), 5e-3) << "person " << i;
-  }
+  expect_dense({{"threshold_width_ms", 8.0}, {"threshold_sd_ms", 80.0}, {"intercept_sd", 1.5}},
+               5e-3);
 }
 
 TEST(AnswerLikelihood, IsTheSameWhateverWasTriedBefore) {

@@ -216,9 +216,19 @@ TEST(YokedStudy, WhoeverCannotBeFollowedIsRefusedByName) {
   });
   ASSERT_EQ(own.run("first.json", {"--participant", "S01"}).status, 0);
   EXPECT_EQ(own.refused(),
-            "impetus: yoked.json:/gaze/yoked_to/participant: expected another simulated "
-            "participant who has finished gaze-contingent-yoked in a.sqlite, but there is none "
-            "yet; name a protocol without recorded regions, run before, in /gaze/yoked_to\n");
+            "impetus: yoked.json:/gaze/yoked_to: expected the name of another protocol, run "
+            "before, or nobody could be the first, since everybody has recorded regions "
+            "(\"scheduling\" is no factor between participants)\n");
+
+  const YokedStudy between([](json& protocol) {
+    protocol["gaze"]["yoked_to"] = {{"participant", "least-followed"}};
+    json& scheduling = protocol["design"]["factors"][0];
+    scheduling["between"] = true;
+    scheduling["levels"] = {"tracked", "recorded"};
+    protocol["design"]["practice"] = {{{"bodies", 5}}};
+  });
+  EXPECT_EQ(between.run("yoked.json", {"--participants", "6", "--seed", "1"}).status, 0)
+      << "whoever is recorded follows somebody who was tracked";
 
   const YokedStudy unfinished([](json& protocol) {
     protocol["gaze"]["yoked_to"] = {{"participant", "S01"}, {"protocol", "causality"}};

@@ -89,6 +89,28 @@ TEST(Frames, EveryDurationThatIsShownIsChecked) {
       "0.1125");
 }
 
+TEST(Frames, WordsAndDemonstrationsAreOnThemToo) {
+  const auto refused = [](Study study) {
+    return refusal([&] { check_frames(study.made(), 60.0, false); });
+  };
+  Study words;
+  words.without("/design/practice_until").without("/design/practice");
+  words.with("/design/factors/0", json::parse(R"({"name": "delay_ms", "levels": ["short", "long"],
+      "sets": {"short": {"/imposed/contact_hold_ms": 50},
+               "long": {"/imposed/contact_hold_ms": 310}}})"));
+  EXPECT_EQ(refused(words),
+            "protocols/causality.json:/design/factors/0/sets/long: expected a whole number of 60 "
+            "Hz frames (16.67 ms), got 310");
+  EXPECT_EQ(refused(words.with("/design/factors/0/sets/long", {{"/engine/restitution", 0.5}})
+                        .scene_with("/imposed/contact_hold_ms", 25)),
+            "stimuli/two-spheres.json:/imposed/contact_hold_ms: expected a whole number of 60 Hz "
+            "frames (16.67 ms), got 25");
+  EXPECT_EQ(refused(Study().with("/session/demonstrations", json::parse(R"([{"id": "late",
+                "title": "Late", "paragraphs": [], "set": {"/imposed/contact_hold_ms": 25}}])"))),
+            "protocols/causality.json:/session/demonstrations/0/set: expected a whole number of 60 "
+            "Hz frames (16.67 ms), got 25");
+}
+
 TEST(Frames, RoundingIsForImposedHoldsAndNotForTheContact) {
   const Protocol protocol = Study().made();
   EXPECT_EQ(refusal([&] { check_frames(protocol, 85.0, true); }), "accepted");

@@ -53,6 +53,20 @@ TEST(PowerCommand, RefusesWhatTheProtocolDoesNotHave) {
                        "--factor: expected either --factor or --compare, got both");
 }
 
+TEST(PowerCommand, RefusesThresholdsThatNothingCanBeComparedWith) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, {"new", "one", "--vary", "delay_ms=0,50,100,150,200,300", "--ask",
+                                 "detection", "--levels", "staircase"})
+                .status,
+            0);
+  expect_refused(folder,
+                 {"power", "one/protocol.json", "--observer", "one/observer.json", "--n", "3",
+                  "--studies", "2", "--out", "power"},
+                 "one/protocol.json:/design/factors: expected a factor beside \"delay_ms\", "
+                 "between whose levels thresholds can be compared, got none");
+  EXPECT_FALSE(std::filesystem::exists(folder / "power"));
+}
+
 TEST(PowerCommand, RefusesAProtocolThatNobodyTakesPartIn) {
   expect_power_refused(power_of("scheduler-distribution.json", {"--observer", "causality"}),
                        protocol_file("scheduler-distribution.json") +

@@ -168,10 +168,32 @@ TEST(ProtocolChecks, ACellThatCannotBeShownIsRefusedThoughEachLevelCan) {
             "1.025");
 }
 
+// Spheres of .2 deg miss each other in the scene as it is, and meet in every cell.
+TEST(ProtocolChecks, ALevelIsSoundWhereEveryCellIs) {
+  Study study;
+  study.without("/design/practice").without("/design/practice_until");
+  study.scene_with("/meeting/offset_deg", {1.5, 0});
+  study.with(
+      "/design",
+      {{"repetitions", 1},
+       {"factors",
+        {{{"name", "radius"}, {"pointer", "/bodies/0/shape/radius_deg"}, {"levels", {0.2, 0.4}}},
+         {{"name", "offset"}, {"pointer", "/meeting/offset_deg/0"}, {"levels", {0, 0.1}}}}}});
+  EXPECT_EQ(study.refused(), "accepted");
+}
+
+TEST(ProtocolChecks, GroupsOfParticipantsMakeNobodysSessionLonger) {
+  Study study;
+  study.without("/design/practice_until").with("/design/practice", json::array());
+  study.with("/design/repetitions", 1000);  // × 9 cells each
+  EXPECT_EQ(study.with("/design/factors/2/between", true).refused(), "accepted");
+}
+
 TEST(ProtocolChecks, ADesignTooLargeForAnyoneIsRefusedBeforeItFillsTheMemory) {
   expect_protocol_refusals(
       {{"/design/repetitions", 400,
-        "/design: expected at most 10000 trials, got 10800 (levels of all factors × "
+        "/design: expected at most 10000 trials, got 10800 (levels of all factors "
+        "within participants × "
         "repetitions)"}});
   json factors = json::array();
   for (int i = 0; i < 12; ++i) {  // 10^12 cells
@@ -181,8 +203,7 @@ TEST(ProtocolChecks, ADesignTooLargeForAnyoneIsRefusedBeforeItFillsTheMemory) {
   }
   expect_protocol_refusals(
       {{"/design/factors", factors,
-        "/design: expected at most 10000 trials, got 3000000000000 (levels of all factors × "
-        "repetitions)"}});
+        "/design: expected at most 10000 conditions, got 1000000000000 (levels of all factors)"}});
 }
 
 TEST(ProtocolChecks, AFactorOfAHundredThousandLevelsIsRefusedAtOnce) {
@@ -192,8 +213,7 @@ TEST(ProtocolChecks, AFactorOfAHundredThousandLevelsIsRefusedAtOnce) {
   }
   expect_protocol_refusals(
       {{"/design/factors/0/levels", levels,
-        "/design: expected at most 10000 trials, got 2700000 (levels of all factors × "
-        "repetitions)"}});
+        "/design: expected at most 10000 conditions, got 900000 (levels of all factors)"}});
 }
 
 TEST(ProtocolChecks, MoreDemonstrationsThanAnybodyWatchesAreRefused) {

@@ -132,9 +132,11 @@ TEST(Enrolment, PeopleFollowPeopleAndSimulatedParticipantsTheSimulated) {
   };
   finish("P02", false);
   finish("S01", true);
+  const std::string shown = to_json(short_plan(at.protocol, 1).back().condition).dump();
   for (const auto& partner : {last_partner, least_followed_partner}) {
-    EXPECT_EQ(partner(at.study, "causality", "P01", false).value().pseudonym, "P02");
-    EXPECT_EQ(partner(at.study, "causality", "P01", true).value().pseudonym, "S01");
+    EXPECT_EQ(partner(at.study, "causality", "P01", false, shown).value().pseudonym, "P02");
+    EXPECT_EQ(partner(at.study, "causality", "P01", true, shown).value().pseudonym, "S01");
+    EXPECT_FALSE(partner(at.study, "causality", "P01", true, "{}")) << "nobody was shown that";
   }
   EXPECT_TRUE(has_finished(at.study, "P02", false, texts));
   EXPECT_TRUE(has_finished(at.study, "S01", true, texts));
