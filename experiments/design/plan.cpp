@@ -83,8 +83,8 @@ bool place_catch_trials(TrialBlocks& blocks, const Design& design, RandomStream&
     stream.shuffle(caught);
     std::vector<PlannedTrial>& trials = blocks[block];
     const std::size_t places = trials.size() + 1;
-    for (std::size_t stretch = caught.size();
-         stretch-- > 0;) {  // earlier places stay what they are
+    // From the last on, for the places of those before stay what they are.
+    for (std::size_t stretch = caught.size(); stretch-- > 0;) {
       const std::size_t begin = stretch * places / caught.size();
       const std::size_t end = std::max(begin + 1, (stretch + 1) * places / caught.size());
       std::vector<std::size_t> tried(end - begin);

@@ -176,7 +176,7 @@ class NodesOfLine {
   static constexpr double kLeastApart = 1e-4;
   struct Node {
     double x;
-    double height;
+    double height;  ///< not its logarithm
   };
 
   double at(double x) {
@@ -186,6 +186,7 @@ class NodesOfLine {
   }
   [[nodiscard]] bool counts(double value) const { return value > top_ - 16.0; }
 
+  /// The area from one to the other, halved as long as that changes it by more than `settled`.
   double between(const Node& a, const Node& b, double base, double settled) {
     const Node middle{0.5 * (a.x + b.x), std::exp(at(0.5 * (a.x + b.x)) - base)};
     const double whole = 0.5 * (b.x - a.x) * (a.height + b.height);
