@@ -42,7 +42,7 @@ void require_frames(const JsonDocument& document, const std::string& place, doub
 }
 
 /// The same of a value of the scene that no factor points to: the scene's own, and what the words
-/// of factors and demonstrations put in its place.
+/// of factors put in its place.
 void require_frames_of_scene(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
   const json::json_pointer pointer(bound.pointer);
   const json& scene = protocol.scene.value;

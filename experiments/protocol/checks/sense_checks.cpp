@@ -2,8 +2,10 @@
 #include "experiments/protocol/checks/sense_checks.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
-#include <utility>
+#include <variant>
 #include <vector>
 
 #include "experiments/design/between_participants.hpp"

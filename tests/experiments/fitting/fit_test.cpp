@@ -79,6 +79,7 @@ double dense_logarithm(const AnswerLikelihood& likelihood, const AnsweringPerson
 }
 
 /// The likelihood under `numbers` of three people who answered as the shipped observer.
+/// `tolerance`: as far as the integral has settled, which it tells by its last halving.
 void expect_dense(const std::map<std::string, double>& numbers, double tolerance) {
   const auto people = answering_group(shipped_observer("causality"),
                                       rated(delays_study(9, {0.0, 100.0, 300.0})), 3, /*seed=*/5);
