@@ -61,12 +61,16 @@ const char* name_of(Field::Kind kind) {
   }
 }
 
+/// Without a range, the numbers of one are null.
 json field_json(const Field& field) {
-  return {
-      {"id", field.id},           {"label", field.label},     {"kind", name_of(field.kind)},
-      {"options", field.options}, {"minimum", field.minimum}, {"maximum", field.maximum},
-      {"answer", field.answer},
-  };
+  const bool ranged = field.has_range();
+  return {{"id", field.id},
+          {"label", field.label},
+          {"kind", name_of(field.kind)},
+          {"options", field.options},
+          {"minimum", ranged ? json(field.minimum) : json()},
+          {"maximum", ranged ? json(field.maximum) : json()},
+          {"answer", field.answer}};
 }
 
 json progress_json(const SessionProgress& progress) {

@@ -13,6 +13,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/files/protocol_files.hpp"
@@ -161,8 +162,12 @@ void print_floors(const Protocol& protocol) {
 }
 
 /// A scene by itself: what is in it, and its floor.
-void check_scene(const std::filesystem::path& file) {
+void check_scene(const std::filesystem::path& file, const CheckOptions& options) {
   const JsonDocument scene = load_scene(file);
+  for (const auto& [given, name] : {std::pair{options.explain, "--explain"},
+                                    std::pair{!options.observer.empty(), "--observer"}}) {
+    require(!given, std::string(name) + ": expected a protocol, got a scene, " + scene.name);
+  }
   ShapeLibrary shapes;
   const StagedScene staged = staged_from(
       scene, [&] { return build_scene(scene.value, assumed_screen(), kUnroundedHold, shapes); });
@@ -177,7 +182,7 @@ void check_scene(const std::filesystem::path& file) {
 
 void check_one(const std::filesystem::path& file, const CheckOptions& options, SeriesNames& names) {
   if (is_scene(read_json(file))) {
-    check_scene(file);
+    check_scene(file, options);
     return;
   }
   const Protocol protocol = load_protocol(file);

@@ -25,6 +25,9 @@ struct AskedFile {
 /// The same for all files of a command, of which no two may be one.
 void require_new_files(const std::vector<AskedFile>& files);
 
+/// The same for pictures, whose names must end as those of PNG files do.
+void require_new_pictures(const std::vector<AskedFile>& files);
+
 /// The same for several files of `folder`, the option --out, which may not be there yet. Throws
 /// InputError, also when it is a file or could not be made. Nothing changes.
 void require_new_files(const std::filesystem::path& folder, const std::vector<std::string>& names,

@@ -43,7 +43,6 @@ struct PreviewOptions {
 #ifdef IMPETUS_WINDOW
 
 void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
-  require_new_file(options.strip);
   const PictureSize size{picture_px("--width", options.width_px, 480),
                          picture_px("--height", options.height_px, 360)};
   ShapeLibrary shapes;
@@ -77,7 +76,6 @@ void print_luminance(const ScreenLight& light, const Pixels& picture) {
 }
 
 void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
-  require_new_file(options.picture);
   const ScreenGeometry screen = chosen_screen(options.screen_file);
   const PictureSize size = picture_size(options.width_px, options.height_px, screen);
   ShapeLibrary shapes;
@@ -111,6 +109,7 @@ void tell(const PreviewFrames& frames) {
 }
 
 void show(const JsonDocument& scene, const PreviewOptions& options) {
+  require_new_pictures({{"--picture", options.picture}, {"--strip", options.strip}});
   if (!options.strip.empty()) {
     write_strip(scene, options);
     return;
@@ -119,6 +118,7 @@ void show(const JsonDocument& scene, const PreviewOptions& options) {
     write_picture(scene, options);
     return;
   }
+  require_picture_of_size(options.width_px, options.height_px, "--picture or --strip");
   const WindowOptions asked = window_options(options.window_size);
   const ScreenGeometry screen = chosen_screen(options.screen_file, asked);
   ShapeLibrary shapes;
@@ -148,20 +148,8 @@ void require_no_recording(const JsonDocument& scene) {
   }
 }
 
-/// A protocol is no scene, but names one.
-void require_no_protocol(const std::filesystem::path& path) {
-  const JsonDocument document = read_json(path);
-  if (is_protocol(document)) {
-    const nlohmann::json named = document.value.value("scene", nlohmann::json());
-    throw InputError(document.name + ": expected a scene, got a protocol" +
-                     (named.is_string() ? ", whose scene is " + named.get<std::string>() : "") +
-                     "; impetus check explains a protocol, impetus run shows it");
-  }
-}
-
 int preview(const PreviewOptions& options) {
   const BuildingLine told;
-  require_no_protocol(options.scene);
   const JsonDocument scene = load_scene(options.scene);
   require_no_recording(scene);
   return staged_from(scene, [&] {
@@ -182,12 +170,15 @@ void add_preview(CLI::App& app, Command& chosen) {
   command->add_option("--screen", options->screen_file,
                       "Screen file instead of the user's settings");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
-  command->add_option("--strip", options->strip,
-                      "Write a picture of the first collision at each level instead");
+  command
+      ->add_option("--strip", options->strip,
+                   "Write a picture of the first collision at each level instead")
+      ->excludes("--window");
   command
       ->add_option("--picture", options->picture,
                    "Write a picture of one moment instead, as a participant sees it")
-      ->excludes("--strip");
+      ->excludes("--strip")
+      ->excludes("--window");
   command
       ->add_option("--at", options->at_s, "That moment, in seconds from the onset; 0 if left out")
       ->needs("--picture");

@@ -96,13 +96,14 @@ void write_pictures(const ShowOptions& options, const ShownTree& shown, const Tr
 }
 
 int show(const ShowOptions& options) {
-  require_new_files({{"--png", options.png}, {"--strip", options.strip}});
+  require_new_pictures({{"--png", options.png}, {"--strip", options.strip}});
   const ShownTree shown = shown_from(load_tree(options.file));
   const TreeLook look = look_of(options, shown.tree);
   if (!options.png.empty() || !options.strip.empty()) {
     write_pictures(options, shown, look);
     return kDone;
   }
+  require_picture_of_size(options.width_px, options.height_px, "--png or --strip");
   const WindowOptions asked = window_options(options.window_size);
   const SteadyClock clock;
   Window window(asked, clock);
@@ -130,12 +131,14 @@ void add_tree_show(CLI::App& tree, Command& chosen) {
       ->capture_default_str();
   command->add_flag("--no-mesh", options->no_mesh, "The volumes alone, solid");
   command->add_flag("--no-volumes", options->no_volumes, "The mesh alone");
-  command->add_option("--png", options->png, "Write a picture instead");
-  command->add_option("--strip", options->strip,
-                      "Write a picture with all levels side by side instead");
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option("--png", options->png, "Write a picture instead")->excludes("--window");
+  command
+      ->add_option("--strip", options->strip,
+                   "Write a picture with all levels side by side instead")
+      ->excludes("--window");
   command->add_option("--width", options->width_px, "Of a picture, or of each level's, in pixels");
   command->add_option("--height", options->height_px, "The same");
-  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
 }
 
 void add_tree(CLI::App& app, Command& chosen) {

@@ -71,4 +71,11 @@ PictureSize picture_size(int width_px, int height_px, const ScreenGeometry& scre
   return size;
 }
 
+void require_picture_of_size(int width_px, int height_px, const std::string& pictures) {
+  if (width_px != 0 || height_px != 0) {
+    throw InputError(std::string(width_px != 0 ? "--width" : "--height") + ": expected " +
+                     pictures + " beside it, which is missing");
+  }
+}
+
 }  // namespace impetus::inline commands

@@ -29,4 +29,8 @@ int picture_px(const char* option, int asked, int usual);
 /// the screen's.
 PictureSize picture_size(int width_px, int height_px, const ScreenGeometry& screen);
 
+/// Refuses --width and --height, where given, of a command that writes no picture; `pictures` says
+/// which options would. Throws InputError.
+void require_picture_of_size(int width_px, int height_px, const std::string& pictures);
+
 }  // namespace impetus::inline commands

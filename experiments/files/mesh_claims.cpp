@@ -5,6 +5,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
@@ -232,7 +233,38 @@ void check_ply(std::string_view bytes) {
   std::string_view rest = bytes;
   take_line(rest);
   const Header header = take_header(bytes, rest);
+  const std::string& format = header.format;
+  if (!format.empty() && format != "ascii" && format != "binary_little_endian" &&
+      format != "binary_big_endian") {
+    throw FalseClaim("its PLY header names the format \"" + format +
+                     "\", none of ascii, binary_little_endian and binary_big_endian");
+  }
   pass_body(header, rest, bytes);
+}
+
+// ---------------------------------------------------------------- STL: words, or a count behind 80
+// letters and so many triangles
+
+/// Words begin with "solid". An empty file is left to the reader, which says so.
+void check_stl(std::string_view bytes) {
+  constexpr std::size_t kHeader = 84;
+  constexpr std::size_t kTriangle = 50;
+  std::string_view text = bytes;
+  if (bytes.empty() || take_word(text).starts_with("solid")) {
+    return;
+  }
+  if (bytes.size() < kHeader) {
+    throw FalseClaim("its STL header takes " + std::to_string(kHeader) + " bytes" +
+                     of_bytes(bytes));
+  }
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + kHeader - sizeof count, sizeof count);
+  const std::size_t whole = kHeader + kTriangle * std::size_t{count};
+  if (bytes.size() != whole) {
+    throw FalseClaim("its STL header claims " + std::to_string(count) +
+                     " triangles, with which it has " + std::to_string(whole) + " bytes" +
+                     of_bytes(bytes));
+  }
 }
 
 // ---------------------------------------------------------------- OFF: counts, then lines
@@ -286,6 +318,8 @@ void check_claims(const std::filesystem::path& file) {
     check_ply(bytes);
   } else if (extension == ".off") {
     check_off(bytes);
+  } else if (extension == ".stl") {
+    check_stl(bytes);
   } else if (extension == ".gltf" || extension == ".glb" || bytes.starts_with("glTF")) {
     check_gltf(bytes, file.parent_path());
   }

@@ -2,9 +2,10 @@
 // believes it.
 //
 //   PLY    counts of elements, properties and lists     OFF    counts, and lines
-//   glTF   files, counts, and which node holds which    GLB    the same, and its length
+//   glTF   files, counts, and which node holds which    STL    its count
+//   GLB    the same, and its length
 //
-// assimp takes memory and time for whatever a file claims to hold. OBJ and STL claim nothing.
+// assimp takes memory and time for whatever a file claims to hold. OBJ claims nothing.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/files/mesh_file.hpp"
 #include "experiments/files/sound_file.hpp"
@@ -128,6 +129,16 @@ void hold_files(JsonDocument& scene, const MoreFiles& more, const std::filesyste
   }
 }
 
+/// A protocol is no scene, but names one.
+void require_no_protocol(const JsonDocument& document) {
+  if (is_protocol(document)) {
+    const json named = document.value.value("scene", json());
+    throw InputError(document.name + ": expected a scene, got a protocol" +
+                     (named.is_string() ? ", whose scene is " + named.get<std::string>() : "") +
+                     "; impetus check explains a protocol, impetus run shows it");
+  }
+}
+
 }  // namespace
 
 std::string hold_mesh(json& scene, const std::string& file, const std::filesystem::path& folder) {
@@ -151,8 +162,10 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
   return "";
 }
 
-JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more) {
-  return with_files(read_json(path), path, more);
+JsonDocument read_scene(const std::filesystem::path& path) {
+  JsonDocument document = read_json(path);
+  require_no_protocol(document);
+  return with_files(std::move(document), path);
 }
 
 JsonDocument with_files(JsonDocument scene, const std::filesystem::path& path,

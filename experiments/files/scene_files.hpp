@@ -19,6 +19,10 @@ namespace impetus::inline files {
 /// sentence, "file:/pointer: expected ..., got ...".
 JsonDocument load_scene(const std::filesystem::path& path);
 
+/// The scene in the file, valid by its schema alone, holding its meshes, figures and sounds: what
+/// load_scene() goes on to check. Throws InputError.
+JsonDocument read_scene(const std::filesystem::path& path);
+
 /// Files that something beside a scene puts into it: a protocol's factors and demonstrations.
 struct MoreFiles {
   std::vector<std::string> meshes;
@@ -26,11 +30,8 @@ struct MoreFiles {
   std::vector<std::string> sounds;
 };
 
-/// The scene in the file, valid by its schema alone, holding its meshes and figures and those that
-/// `more` names: what load_scene() goes on to check. Throws InputError.
-JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more = {});
-
-/// The same of a scene that was read already, or written by a program, as if it lay at `path`.
+/// The same of a scene that was read already, or written by a program, as if it lay at `path`, and
+/// holding what `more` names, too.
 JsonDocument with_files(JsonDocument scene, const std::filesystem::path& path,
                         const MoreFiles& more = {});
 

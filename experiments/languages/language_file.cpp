@@ -119,9 +119,12 @@ std::size_t known_text(const JsonDocument& document, const std::string& place,
   return row;
 }
 
+/// Whether a language has all texts of this build.
+enum class Missing { kRefused, kInEnglish };
+
 /// `english`: empty for English itself.
 Language read_beside(const std::vector<std::string>& english, const JsonDocument& document,
-                     const std::string& place) {
+                     const std::string& place, Missing missing) {
   static const json schema = file_schema("", "", language_kind());
   const json& value = document.value.at(json::json_pointer(place));
   if (const auto problem = find_schema_problem(schema, value)) {
@@ -137,6 +140,10 @@ Language read_beside(const std::vector<std::string>& english, const JsonDocument
     const std::string key(kTextRows[i].key);
     const std::string in_english = english.empty() ? "" : english[i];
     const auto found = file.texts.find(key);
+    if (found == file.texts.end() && missing == Missing::kInEnglish) {
+      texts.push_back(in_english);
+      continue;
+    }
     if (found == file.texts.end() || found->second.empty()) {
       refuse(document, list,
              "expected a text for \"" + key + "\" (" + shown(in_english) +
@@ -163,7 +170,7 @@ Language read_english() {
   const auto* const file =
       std::find_if(std::begin(kLanguageFiles), std::end(kLanguageFiles),
                    [](const EmbeddedFile& each) { return std::string(each.name) == "en.json"; });
-  return read_beside({}, parse_json(file->name, file->text), "");
+  return read_beside({}, parse_json(file->name, file->text), "", Missing::kRefused);
 }
 
 }  // namespace
@@ -179,7 +186,11 @@ const std::map<std::string, Language>& shipped_languages() {
 }
 
 Language read_language(const JsonDocument& document, const std::string& place) {
-  return read_beside(english().texts(), document, place);
+  return read_beside(english().texts(), document, place, Missing::kRefused);
+}
+
+Language read_stored_language(const JsonDocument& document, const std::string& place) {
+  return read_beside(english().texts(), document, place, Missing::kInEnglish);
 }
 
 Language with_texts(const Language& language, const JsonDocument& document,

@@ -21,6 +21,10 @@ const Language& english();
 /// throws InputError.
 Language read_language(const JsonDocument& document, const std::string& place = "");
 
+/// The same of one that a study has stored, perhaps before a text was added: English has what it
+/// lacks.
+Language read_stored_language(const JsonDocument& document, const std::string& place);
+
 /// The language with the texts at a place of the document in place of its own. An empty one
 /// switches a text off. Throws InputError where there is no such text, it lacks a placeholder, or a
 /// button or key would be without a name.

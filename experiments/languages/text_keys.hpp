@@ -60,8 +60,8 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>(
      "practice_over", "scale_use", "used_never"_label, "used_one"_label, "used"_label,
      "practice_advice", "practice_advice_one_point", "training_result",
      // trials
-     "ready", "ready_trials_one", "ready_trials", "ready_advice", "break_progress", "pause",
-     "pause_saved", "pause_in_trial", "quit_question", "quit_saved",
+     "ready", "ready_trials_one", "ready_trials", "ready_advice", "ready_advice_no_cross",
+     "break_progress", "pause", "pause_saved", "pause_in_trial", "quit_question", "quit_saved",
      // the gaze
      "pointing_title", "pointing", "pointing_points", "looking_title", "looking", "looking_points",
      "gaze_went_well", "gaze_once_more", "gaze_not_known", "gaze_accuracy", "gaze_worst",

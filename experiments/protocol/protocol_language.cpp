@@ -29,7 +29,7 @@ std::string shipped_names() {
 Language named_language(const JsonDocument& protocol) {
   const json name = protocol.value.value("language", json(kEnglish));
   if (name.is_object()) {
-    return read_language(protocol, kPlace);
+    return read_stored_language(protocol, kPlace);
   }
   const auto found = shipped_languages().find(name.get<std::string>());
   if (found == shipped_languages().end()) {
@@ -79,6 +79,9 @@ void hold_language(JsonDocument& protocol, const std::filesystem::path& path) {
     return;
   }
   json& language = protocol.value["language"];
+  if (language.is_object()) {
+    static_cast<void>(read_language(protocol, kPlace));
+  }
   if (!language.is_string() || !language.get_ref<const std::string&>().ends_with(".json")) {
     return;
   }

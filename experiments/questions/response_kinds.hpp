@@ -106,6 +106,8 @@ class Question {
   /// known to be sound. Both throw InputError.
   virtual void check_block(const JsonDocument& /*protocol*/) const {}
   virtual void check_in_design(const JsonDocument& /*protocol*/, const Design& /*design*/) const {}
+  /// Whether all of the block has an effect: of files alone (see check_sense). Throws InputError.
+  virtual void check_sense(const JsonDocument& /*protocol*/, const Design& /*design*/) const {}
   /// Whether an answer can be right or wrong.
   [[nodiscard]] virtual bool has_right_answer() const { return false; }
   /// How many answers have a key that a protocol may choose; 0: none.

@@ -71,7 +71,7 @@ Page demographics_page(const std::vector<Field>& fields, const SessionProgress& 
   return page;
 }
 
-Page phase_intro(TrialPhase phase, std::int64_t round, std::int64_t count,
+Page phase_intro(const Script& script, TrialPhase phase, std::int64_t round, std::int64_t count,
                  const SessionProgress& progress) {
   const Language& language = progress.language;
   if (phase == TrialPhase::kPractice) {
@@ -80,9 +80,12 @@ Page phase_intro(TrialPhase phase, std::int64_t round, std::int64_t count,
                                  : language.counted_text("practice_first", count)}},
                      progress);
   }
-  return text_page({language.text("ready"),
-                    {language.counted_text("ready_trials", count), language.text("ready_advice")}},
-                   progress);
+  const bool has_cross = script.timing.fixation.most_ms > 0.0;
+  return text_page(
+      {language.text("ready"),
+       {language.counted_text("ready_trials", count),
+        has_cross ? language.text("ready_advice") : language.text("ready_advice_no_cross")}},
+      progress);
 }
 
 Page training_intro(const TrainingRule& rule, const SessionProgress& progress) {

@@ -32,8 +32,9 @@ Page refusal_page(const SessionProgress& progress);
 /// The last page of who refused.
 Page declined_page(const SessionProgress& progress);
 Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
-/// Before the trials of a phase; `round` is of practice, 1 for the first.
-Page phase_intro(TrialPhase phase, std::int64_t round, std::int64_t count,
+/// Before the trials of a phase; `round` is of practice, 1 for the first. Where the script shows a
+/// cross before each, it is told to look at it.
+Page phase_intro(const Script& script, TrialPhase phase, std::int64_t round, std::int64_t count,
                  const SessionProgress& progress);
 /// Before training.
 Page training_intro(const TrainingRule& rule, const SessionProgress& progress);

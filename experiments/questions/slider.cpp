@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "experiments/design/between_participants.hpp"
@@ -76,6 +77,19 @@ class SliderQuestion final : public Question {
       if (scale_for(condition) == nullptr) {
         refuse(protocol, "/slider/scales",
                "expected a scale for every condition, got none for " + to_json(condition).dump());
+      }
+    }
+  }
+
+  void check_sense(const JsonDocument& protocol, const Design& design) const override {
+    std::set<const SliderScale*> asked;
+    for (const Condition& condition : asked_conditions(design)) {
+      asked.insert(scale_for(condition));
+    }
+    for (std::size_t i = 0; i < scales_.size(); ++i) {
+      if (!asked.contains(&scales_[i])) {
+        refuse(protocol, place(i),
+               "expected a scale that some trial asks, but each asks one that is before it");
       }
     }
   }

@@ -26,7 +26,8 @@ bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
   if (trials.waiting.empty()) {
     return true;
   }
-  if (!sitting_.ask(phase_intro(phase, round, trials.total - trials.done, sitting_.progress()))) {
+  if (!sitting_.ask(phase_intro(sitting_.script, phase, round, trials.total - trials.done,
+                                sitting_.progress()))) {
     return false;
   }
   std::int64_t done = trials.done;

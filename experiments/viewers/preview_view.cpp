@@ -191,10 +191,19 @@ class PreviewScreen final : public ViewerScreen {
     }
   }
 
+  void close_list_or_leave() {
+    constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+    if (ImGui::IsPopupOpen(nullptr, kAny)) {
+      ImGui::ClosePopupToLevel(0, /*restore_focus_to_window_under_popup=*/true);
+    } else {
+      leave();
+    }
+  }
+
   void command(SDL_Keycode key) {
     switch (key) {
       case SDLK_ESCAPE:
-        leave();
+        close_list_or_leave();
         break;
       case SDLK_SPACE:
         run_.toggle();

@@ -37,14 +37,14 @@ std::string text_of(const Letters& letters) {
 
 }  // namespace
 
-bool is_right_to_left(std::string_view text) {
+bool is_right_to_left(std::string_view text, bool without) {
   for (const FriBidiChar letter : letters_of(text)) {
     const FriBidiCharType type = fribidi_get_bidi_type(letter);
     if (FRIBIDI_IS_LETTER(type)) {
       return FRIBIDI_IS_RTL(type);
     }
   }
-  return false;
+  return without;
 }
 
 bool has_right_to_left(std::string_view text) {

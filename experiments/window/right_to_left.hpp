@@ -12,8 +12,9 @@
 
 namespace impetus::inline window {
 
-/// Whether a text is read from right to left: as its first letter is.
-bool is_right_to_left(std::string_view text);
+/// Whether a text is read from right to left: as its first letter is, or `without` where it has
+/// none.
+bool is_right_to_left(std::string_view text, bool without = false);
 
 /// Whether any letter of it is.
 bool has_right_to_left(std::string_view text);

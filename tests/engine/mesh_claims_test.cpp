@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -101,6 +102,31 @@ TEST_F(MeshClaims, CountsBeyondTheFileAreRefusedBeforeTheyAreBelieved) {
             "a.off" + said + "it claims 1000000000 vertices, but has 37 bytes");
   EXPECT_EQ(refused("a.off", "OFF # many\n3 1000000000 0\n" + corners),
             "a.off" + said + "it claims 1000000000 faces, but has 44 bytes");
+}
+
+TEST_F(MeshClaims, AnStlFileThatWasCutSaysSo) {
+  const auto stl = [](std::size_t triangles) {
+    std::string bytes(84, '\0');
+    bytes[80] = 2;
+    for (std::size_t i = 0; i < triangles; ++i) {
+      const std::array<float, 12> numbers{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, static_cast<float>(i)};
+      bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+      bytes.append(2, '\0');
+    }
+    return bytes;
+  };
+  const std::string said = "a.stl: cannot be read as a mesh: its STL header ";
+  EXPECT_EQ(refusal(write("a.stl", stl(2))), "accepted");
+  EXPECT_EQ(refusal(write("a.stl", stl(1))),
+            said + "claims 2 triangles, with which it has 184 bytes, but the file has 134 bytes");
+  EXPECT_EQ(refusal(write("a.stl", stl(0).substr(0, 60))),
+            said + "takes 84 bytes, but the file has 60 bytes");
+}
+
+TEST_F(MeshClaims, AFormatThatNoPlyFileHasIsRefused) {
+  EXPECT_EQ(refusal(write("a.ply", ply_header("binary_middle_endian", 3, 1, "uchar"))),
+            "a.ply: cannot be read as a mesh: its PLY header names the format "
+            "\"binary_middle_endian\", none of ascii, binary_little_endian and binary_big_endian");
 }
 
 /// The tetrahedron with a part of its text replaced.

@@ -36,7 +36,7 @@ function fieldOf(field, index) {
     ['input', 'pointerdown'].forEach((happening) => input.addEventListener(happening, set));
     input.addEventListener('keydown', (event) => event.key.startsWith('Arrow') && set());
   } else {
-    input = element('textarea', {id, rows: 3, maxLength: 10000});
+    input = element('textarea', {id, rows: 3, maxLength: 10000, dir: 'auto'});
   }
   if (field.answer) {
     input.value = field.answer;
@@ -59,8 +59,9 @@ function checkField(field, index) {
   let problem = '';
   if (field.kind === 'number' && typed !== '') {
     const number = Number(typed.replace(',', '.'));
-    if (Number.isNaN(number) || number < field.minimum || number > field.maximum) {
-      problem = `${field.minimum} – ${field.maximum}`;
+    const {minimum: least, maximum: most} = field;  // null: there is none
+    if (Number.isNaN(number) || (least !== null && (number < least || number > most))) {
+      problem = least === null ? text('number_needed') : text('number_within', {least, most});
     }
   }
   if (input.classList.contains('unset')) problem = text('mark_needed');

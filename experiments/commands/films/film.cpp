@@ -124,6 +124,10 @@ int film_trial(const FilmOptions& options) {
 }
 
 int film_scene(const FilmOptions& options) {
+  for (const auto& [given, name] : {std::pair{!options.format.empty(), "--format"},
+                                    std::pair{options.allow_rounding, "--allow-rounding"}}) {
+    require(!given, std::string(name) + ": expected a protocol beside it, got a scene");
+  }
   const FilmTarget target = film_target(options.out);
   const JsonDocument scene = load_scene(shipped_file(options.scene));
   ScreenGeometry screen = chosen_screen(options.screen_file);

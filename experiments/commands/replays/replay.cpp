@@ -209,6 +209,8 @@ void add_replay(CLI::App& app, Command& chosen) {
                       "Only this trial (the column `trial` of the views)");
   command->add_option("--participant", options->participant, "Only this participant's trials");
   command->add_flag("--view", options->view, "Play the trials in a window");
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen")
+      ->needs("--view");
   command->add_flag("--truth", options->truth,
                     "Measure each collision's gap and hidden share and store them");
   command->add_option("--with", options->what_if.with, words_of_setting_keys())
@@ -218,7 +220,6 @@ void add_replay(CLI::App& app, Command& chosen) {
                       "Of --with: write a CSV file, a row for each stimulus");
   command->add_option("--json", options->what_if.json_file,
                       "Of --with: write a JSON file, with every collision");
-  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
 }
 
 }  // namespace impetus::inline commands

@@ -229,6 +229,16 @@ std::vector<ComparedStimulus> compare(ReplayLibrary& library,
   return all;
 }
 
+/// Of two values of one setting only the last would count.
+void require_each_setting_once(const std::vector<std::string>& given) {
+  std::map<std::string, std::string> seen;
+  for (const std::string& change : given) {
+    const auto [earlier, is_new] = seen.emplace(change.substr(0, change.find('=')), change);
+    require(is_new,
+            "--with " + change + ": expected each setting once, got also " + earlier->second);
+  }
+}
+
 }  // namespace
 
 std::string words_of_setting_keys() {
@@ -245,6 +255,7 @@ std::string words_of_setting_keys() {
 int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                 const ReplayWithOptions& options) {
   require_new_files({{"--out", options.csv_file}, {"--json", options.json_file}});
+  require_each_setting_once(options.with);
   std::vector<SettingChange> changes;
   for (const std::string& given : options.with) {
     changes.push_back(setting_change(given));

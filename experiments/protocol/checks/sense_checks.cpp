@@ -59,6 +59,22 @@ void check_levels_beside(const Protocol& protocol) {
   }
 }
 
+/// A block's keys are those of its answers, unless a factor says them for each trial.
+void check_question_blocks(const Protocol& protocol) {
+  for (const auto& question : protocol.script.asked) {
+    question->check_sense(protocol.document, protocol.design);
+    const std::string block = question->kind().protocol_key;
+    for (const Factor& factor : protocol.design.factors) {
+      if (factor.keys_of == block && !question->keys().empty()) {
+        refuse(protocol.document, "/" + block + "/keys",
+               "expected none beside the factor \"" + factor.name +
+                   "\", whose levels are the keys, got " +
+                   protocol.document.value[block]["keys"].dump());
+      }
+    }
+  }
+}
+
 /// The standard can look otherwise than the test.
 void check_standard_changes(const Protocol& protocol) {
   const TwoIntervalQuestion* question = find_two_interval(protocol.script);
@@ -155,6 +171,7 @@ void check_scenes_sense(const Protocol& protocol) {
 }  // namespace
 
 void check_sense(const Protocol& protocol) {
+  check_question_blocks(protocol);
   check_overlaps(protocol);
   check_levels_beside(protocol);
   check_standard_changes(protocol);

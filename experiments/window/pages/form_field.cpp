@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "experiments/tables/number_text.hpp"
+#include "experiments/window/pages/text_box.hpp"
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/right_to_left.hpp"
 #include "experiments/window/typed_input.hpp"
@@ -23,26 +24,6 @@ int keep_number_characters(ImGuiInputTextCallbackData* data) {
   }
   const bool digit = data->EventChar >= '0' && data->EventChar <= '9';
   return digit || data->EventChar == '.' || data->EventChar == '-' ? 0 : 1;
-}
-
-// ImGui does not wrap what is edited. Enter leaves a form, so every line break in the text is ours:
-// turning a space into a break and back keeps the length, and the cursor where it is.
-int wrap_lines(ImGuiInputTextCallbackData* data) {
-  const float width_px = *static_cast<const float*>(data->UserData);
-  std::replace(data->Buf, data->Buf + data->BufTextLen, '\n', ' ');
-  const char* line = data->Buf;
-  char* last_space = nullptr;
-  for (char* at = data->Buf; at < data->Buf + data->BufTextLen; ++at) {
-    const bool too_long = ImGui::CalcTextSize(line, at + 1).x > width_px;
-    if (*at != ' ' && too_long && last_space != nullptr) {
-      *last_space = '\n';
-      line = last_space + 1;
-      last_space = nullptr;
-    }
-    last_space = *at == ' ' ? at : last_space;
-  }
-  data->BufDirty = true;
-  return 0;
 }
 
 std::string shown_number(double value, const Language& language) {
@@ -119,11 +100,9 @@ FocusChange FormField::draw_entry(float width_px, bool focused, bool take_keyboa
     ImGui::InputText("##number", &text_, ImGuiInputTextFlags_CallbackCharFilter,
                      keep_number_characters);
   } else {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float inside_px = width_px - 2.0F * style.FramePadding.x - style.ScrollbarSize - 2.0F;
-    const float height_px = kTextBoxLines * ImGui::GetFontSize() + 2.0F * style.FramePadding.y;
-    ImGui::InputTextMultiline("##text", &text_, ImVec2(width_px, height_px),
-                              ImGuiInputTextFlags_CallbackEdit, wrap_lines, &inside_px);
+    const float padding_px = 2.0F * ImGui::GetStyle().FramePadding.y;
+    draw_text_box(text_, ImVec2(width_px, kTextBoxLines * ImGui::GetFontSize() + padding_px),
+                  is_right_to_left(field_.label, is_right_to_left(language_.text("continue"))));
   }
   const bool active = ImGui::IsItemActive();
   const bool left = was_active_ && !active && focused && !take_keyboard;

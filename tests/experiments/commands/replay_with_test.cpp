@@ -137,6 +137,8 @@ TEST(ReplayWith, RefusesInOneSentence) {
           "persistence-ms, radius-deg, reduction, region, response, restitution, rotation, "
           "scheduler, traversal, tree, tunnelling, or a JSON Pointer below /engine, got "
           "/viewer/azimuth_deg");
+  expect_refused(study.folder, {"replay", "a.sqlite", "--with", "level=2", "--with", "level=3"},
+                 "--with level=3: expected each setting once, got also level=2");
   refused("/engine/step_hz=60", "expected a setting that keeps the recorded steps as they are");
   refused("traversal=sideways",
           "expected one of \"depth-first\", \"breadth-first\", \"best-first\", "

@@ -172,6 +172,23 @@ TEST(ProtocolLanguage, OfAFileIsHeldByTheProtocolAsAStudyKeepsIt) {
   EXPECT_NE(loaded.hash, load_protocol(LabsStudy(dutch().value).file).hash);
 }
 
+/// A build adds texts; what a study has stored without them replays.
+TEST(ProtocolLanguage, ThatAStudyHasStoredMayLackATextWhichEnglishHas) {
+  const LabsStudy study(dutch("/texts/continue", "Verder").value);
+  const Protocol loaded = load_protocol(study.file);
+  json stored = loaded.document.value;
+  stored["language"]["texts"].erase("close");
+  const Language language =
+      make_protocol(parse_json("study", stored.dump()), parse_json("scene", loaded.scene.text))
+          .script.language;
+  EXPECT_EQ(language.text("continue"), "Verder");
+  EXPECT_EQ(language.text("close"), "Close");
+  study.folder.write("protocols/a.json", stored.dump());
+  EXPECT_EQ(study.refused(),
+            "protocols/a.json:/language/texts: expected a text for \"close\" (\"Close\" in "
+            "English), which is missing");
+}
+
 TEST(ProtocolLanguage, OfAFileIsRefusedByTheNameOfThatFile) {
   EXPECT_EQ(LabsStudy(dutch("/texts/pause", nullptr).value).refused(),
             "protocols/languages/nl.json:/texts: expected a text for \"pause\" (\"Pause\" in "

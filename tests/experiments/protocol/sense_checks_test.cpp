@@ -49,6 +49,33 @@ TEST(Sense, ACatchTrialHasKeysThatSomebodyCanPress) {
   }
 }
 
+TEST(Sense, AQuestionHasNoKeysBesideAFactorOfThem) {
+  Study study = with_factor(R"({"name": "keys", "keys_of": "yes_no", "levels": ["f j", "j f"]})");
+  EXPECT_EQ(nonsense(study), "accepted");
+  EXPECT_EQ(nonsense(study.with("/yes_no/keys", "a b")),
+            "/yes_no/keys: expected none beside the factor \"keys\", whose levels are the keys, "
+            "got \"a b\"");
+}
+
+TEST(Sense, EachScaleIsAskedInSomeTrial) {
+  const auto asked = [](const json& first_when, const json& second_when) {
+    json scales =
+        json::parse(R"([{"question": "A?", "minimum": 0, "maximum": 1, "words": ["a", "b"]},
+                                  {"question": "B?", "minimum": 0, "maximum": 1, "words": ["a", "b"]}])");
+    scales[0]["when"] = first_when;
+    scales[1]["when"] = second_when;
+    return nonsense(Study()
+                        .without("/design/practice_until")
+                        .without("/design/practice")
+                        .without("/rating")
+                        .with("/slider", {{"scales", scales}}));
+  };
+  EXPECT_EQ(asked({{"delay_ms", 0}}, json::object()), "accepted");
+  EXPECT_EQ(asked(json::object(), {{"delay_ms", 0}}),
+            "/slider/scales/1: expected a scale that some trial asks, but each asks one that is "
+            "before it");
+}
+
 TEST(Sense, TheStandardOfTwoIntervalsChangesTheScene) {
   Study study = with_factor(R"({"name": "word", "levels": ["a", "b"], "sets": {
       "a": {"/engine/restitution": 1}, "b": {"/engine/restitution": 0.5}}})");

@@ -274,8 +274,12 @@ void read_other_pages(const Language& language, Reading& reading) {
   for (const std::int64_t count : {1, 2}) {
     reading.read(text_page(welcome_back(language, count), progress));
     for (const TrialPhase phase : {TrialPhase::kPractice, TrialPhase::kMain}) {
-      reading.read(phase_intro(phase, 1, static_cast<std::size_t>(count), progress));
-      reading.read(phase_intro(phase, 2, static_cast<std::size_t>(count), progress));
+      for (const double cross_ms : {0.0, 500.0}) {
+        Script script;
+        script.timing.fixation = {cross_ms, cross_ms};
+        reading.read(phase_intro(script, phase, 1, static_cast<std::size_t>(count), progress));
+        reading.read(phase_intro(script, phase, 2, static_cast<std::size_t>(count), progress));
+      }
     }
   }
   RatingScale scale;

@@ -16,6 +16,7 @@ TEST(RightToLeft, ATextIsReadAsItsFirstLetterIs) {
   EXPECT_FALSE(is_right_to_left("abc \u05E9\u05DC\u05D5\u05DD"));
   EXPECT_FALSE(is_right_to_left("3 – 5"));
   EXPECT_FALSE(is_right_to_left(""));
+  EXPECT_TRUE(is_right_to_left("3 – 5", true));
 }
 
 TEST(RightToLeft, WhatIsReadFromTheLeftIsDrawnAsItIs) {
