@@ -72,7 +72,7 @@ const std::vector<Room> kRooms = {
     {"experiments/exports",
      {"experiments/store", "experiments/tables", "experiments/connections"},
      {"JSON", "SQLite", "zlib"}},
-    {"experiments/fitting", {"experiments/observers"}, {"Eigen"}},
+    {"experiments/fitting", {"experiments/observers", "experiments/tables"}, {"Eigen"}},
     {"experiments/power", {"experiments/settings", "experiments/tables"}, {"JSON", "SQLite"}},
     {"experiments/site",
      {"experiments/lines", "experiments/study", "experiments/exports"},

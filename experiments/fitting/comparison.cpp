@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/fitting/student_t.hpp"
+#include "experiments/tables/student_t.hpp"
 
 namespace impetus::inline fitting {
 namespace {

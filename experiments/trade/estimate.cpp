@@ -6,25 +6,9 @@
 #include <cstddef>
 #include <numeric>
 
+#include "experiments/tables/student_t.hpp"
+
 namespace impetus::inline trade {
-namespace {
-
-/// The 97.5 % quantile of Student's distribution, to half a per cent from three degrees of freedom
-/// on, and too large below. (Cornish and Fisher's expansion: Abramowitz and Stegun, 26.7.5)
-double student_quantile(double freedom) {
-  constexpr double kZ = 1.959963985;
-  constexpr double kZ3 = kZ * kZ * kZ;
-  constexpr double kZ5 = kZ3 * kZ * kZ;
-  constexpr double kZ7 = kZ5 * kZ * kZ;
-  const double first = (kZ3 + kZ) / 4.0;
-  const double second = (5.0 * kZ5 + 16.0 * kZ3 + 3.0 * kZ) / 96.0;
-  const double third = (3.0 * kZ7 + 19.0 * kZ5 + 17.0 * kZ3 - 15.0 * kZ) / 384.0;
-  return kZ + first / freedom + second / (freedom * freedom) +
-         third / (freedom * freedom * freedom);
-}
-
-}  // namespace
-
 Estimate ratio_of_sums(const std::vector<double>& over, const std::vector<double>& under) {
   constexpr std::size_t kFewest = 4;
   const double above = std::accumulate(over.begin(), over.end(), 0.0);
@@ -51,7 +35,7 @@ Estimate ratio_of_sums(const std::vector<double>& over, const std::vector<double
   for (const double each : without) {
     squares += (each - mean) * (each - mean);
   }
-  const double half = student_quantile(n - 1.0) * std::sqrt((n - 1.0) / n * squares);
+  const double half = student_t(n - 1.0) * std::sqrt((n - 1.0) / n * squares);
   ratio.low = ratio.value - half;
   ratio.high = ratio.value + half;
   return ratio;

@@ -14,9 +14,9 @@
 #include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/fitting/student_t.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/store/merging/merge_part.hpp"
+#include "experiments/tables/student_t.hpp"
 #include "experiments/tables/text_table.hpp"
 
 namespace impetus::inline commands {
