@@ -84,6 +84,8 @@ void open_video() {
 
 void open_unseen_video() {
   const bool wayland = SDL_getenv("WAYLAND_DISPLAY") != nullptr;
+  // SDL would take Ctrl-C for a window that is closed, of which there is none.
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "wayland,x11,offscreen" : "x11,offscreen");
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
     throw std::runtime_error(std::string("no picture can be drawn: ") + SDL_GetError());
