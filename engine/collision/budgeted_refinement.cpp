@@ -110,7 +110,7 @@ void bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList
   unresolved.clear();
   for (std::size_t index = 0; index < pairs.size(); ++index) {
     RefinedPair& pair = pairs[index];
-    std::int64_t tests = 1;  // of the roots
+    std::int64_t tests = pair.looked_at ? 1 : 0;  // of the roots
     const int least_level = lists[static_cast<std::size_t>(pair.list)].least_level;
     while (pair.refinement.level() < least_level && !pair.refinement.resolved()) {
       tests += pair.refinement.next_block();

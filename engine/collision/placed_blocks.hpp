@@ -58,11 +58,12 @@ class BlockStore {
 };
 
 /// The blocks of one tree: where they are, if they are placed as the tree lies now. In memory that
-/// was lent, or else its own. Of a copy nothing is placed, and nothing is lent to it.
+/// was lent, or else its own. Of a copy nothing is placed, and nothing is lent to it; its poses are
+/// counted on, so that no volume that was placed in one of the other's counts as placed in its own.
 class PlacedBlocks {
  public:
   explicit PlacedBlocks(std::uint32_t count) : blocks_(count) {}
-  PlacedBlocks(const PlacedBlocks& other) : blocks_(other.blocks_.size()) {}
+  PlacedBlocks(const PlacedBlocks& other) : pose_(other.pose_ + 1), blocks_(other.blocks_.size()) {}
   PlacedBlocks(PlacedBlocks&&) noexcept = default;
   PlacedBlocks& operator=(const PlacedBlocks& other) { return *this = PlacedBlocks(other); }
   PlacedBlocks& operator=(PlacedBlocks&&) noexcept = default;

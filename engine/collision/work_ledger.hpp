@@ -32,6 +32,7 @@ struct RefinedPair {
   const Noticing* noticing{nullptr};  ///< the same where the metric goes by somebody's
   double noticed_arcmin{0.0};         ///< with it, the gap that is noticed there half of the time
   bool hinged{false};                 ///< one of the bodies is a part of a figure
+  bool looked_at{true};               ///< its roots are tested; else no work was left for that
 };
 
 /// What detection, modelling and response of a pair cost, by bounds that hold in advance.

@@ -122,6 +122,7 @@ void add_pairs(const Step& step) {
     added.list = pair.scheduled.list;
     added.walls = 1;
     added.hinged = step.world.is_of_figure(added.bodies);
+    added.looked_at = true;
   }
 }
 
@@ -141,7 +142,7 @@ void begin_all_at_walls(const Step& step, std::span<RefinedPair> pairs) {
 
 /// Tests the roots of the pairs of bodies: in their order, but from the one on that the step before
 /// had no work left for, so that everybody's turn comes. A pair for which no work is left stays
-/// unlooked at, as if it were apart.
+/// unlooked at, as if it were apart, and costs nothing.
 void begin_all_between(const Step& step, std::span<RefinedPair> pairs) {
   const std::vector<PriorityList>& lists = step.settings.schedule.lists;
   std::optional<BodyPair>& next = step.world.next_to_begin;
@@ -158,6 +159,7 @@ void begin_all_between(const Step& step, std::span<RefinedPair> pairs) {
       find_sight(step, pair);
     } else {
       next = next.value_or(pair.bodies);
+      pair.looked_at = step.settings.has_rules_before(9);
       step.memory.report.degradations |= kPairsLeft;
       ++step.memory.report.pairs_left;
     }

@@ -50,7 +50,7 @@ struct ImposedRebound {
 };
 
 /// Raised whenever a recording made before may no longer replay by the rules of now.
-inline constexpr int kRecordingFormat = 8;
+inline constexpr int kRecordingFormat = 9;
 
 /// Older recordings are tried, and their hashes tell whether they replay. From format 2 on they do,
 /// for their worlds go by its rules (WorldSettings::recording_format). So do those of format 1,
@@ -97,7 +97,9 @@ struct WorldSettings {
   /// Before 5 centres go through walls and are turned back behind them (centres_at_walls.hpp).
   /// Before 6 the hinges of figures whose motion is cut are left open, and torn where a part is
   /// brought back from beyond a wall (as_one_body.hpp). Before 8 searches for entries foresee the
-  /// ways of nodes less exactly, and take more tests, before 7 yet more (EntryRules).
+  /// ways of nodes less exactly, and take more tests, before 7 yet more (EntryRules). Before 9 a
+  /// pair for which no work is left costs a test of its roots: as the pair does that was refined in
+  /// its place in an earlier step, so that a copy of a world, which knows none, goes another way.
   int recording_format{kRecordingFormat};
 
   /// Whether what came with a format is not yet so.

@@ -21,6 +21,7 @@ constexpr Recording kRecordings[] = {
     {"tumbling", 2U},               // of format 6: figures whose motion is cut
     {"rushing", 2U},                // of format 7: many tests along the ways of fast bodies
     {"passing", 2U},                // of format 8: ways of nodes foreseen, as spheres and boxes
+    {"hurried", 2U},                // of format 9: pairs that no time is left to look at
     {"behind-the-curtain", 7U},     // a curtain; a launch that nothing follows
     {"causality-thresholds", 20U},  // training, three or more of each delay
     {"causality-thresholds-quest", 21U},
@@ -105,6 +106,8 @@ TEST(GoldenStudies, BodiesFallByTheRulesOfTheFormatThatTheyWereRecordedIn) {
   EXPECT_EQ(divergent_by("tumbling", 5), 2) << "each of its trials";
   EXPECT_EQ(divergent_by("rushing", 7), 0);
   EXPECT_EQ(divergent_by("rushing", 6), 2) << "each of its trials";
+  EXPECT_EQ(divergent_by("hurried", 9), 0);
+  EXPECT_EQ(divergent_by("hurried", 8), 2) << "each of its trials";
   EXPECT_EQ(divergent_by("passing", 8), 0);
   EXPECT_EQ(divergent_by("passing", 7), 2) << "each of its trials";
 }

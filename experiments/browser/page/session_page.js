@@ -55,7 +55,8 @@ async function fetched(file, as) {
 async function prepare() {
   const [site, study] = await Promise.all([fetched('site.json', 'json'), fetched('study.json', 'text')]);
   document.documentElement.lang = site.language;
-  document.documentElement.dir = site.language === 'ar' ? 'rtl' : 'ltr';
+  const isHebrewOrArabic = /[\u0590-\u08ff]/.test(site.texts.continue);
+  document.documentElement.dir = isHebrewOrArabic ? 'rtl' : 'ltr';
   document.title = site.title;
   speak(site.texts);
   requireUsable(site);

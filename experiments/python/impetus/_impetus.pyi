@@ -1,7 +1,7 @@
 """The engine and the files of Impetus; use the package `impetus`."""
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, overload
 
 import numpy
 from numpy.typing import NDArray
@@ -116,9 +116,10 @@ class World:
     def step(
         self, *, looks_at_m: tuple[float, float] | None = None, work: int | None = None
     ) -> Step: ...
-    def set_metric(
-        self, metric: str | Callable[[Pair], float], urgent: str = "large"
-    ) -> None: ...
+    @overload
+    def set_metric(self, metric: str) -> None: ...
+    @overload
+    def set_metric(self, metric: Callable[[Pair], float], urgent: str = "large") -> None: ...
     @property
     def bodies(self) -> list[str]: ...
     @property

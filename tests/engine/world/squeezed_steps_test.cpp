@@ -111,6 +111,31 @@ TEST(SqueezedSteps, PairsThatAreLeftAreThoseThatReachLeastIntoEachOther) {
   EXPECT_NE(report.degradations & kPairsLeft, 0U);
 }
 
+/// Before format 9 it cost what the pair does that stood in its place before: nothing that a copy
+/// could know.
+TEST(SqueezedSteps, APairThatIsNotLookedAtCostsNothing) {
+  const BodyModel model = ball(0.1, 1.0);
+  const auto floors = [&](int recording_format) {
+    WorldSettings settings;
+    settings.costs = kAllPhases;
+    settings.recording_format = recording_format;
+    World world({model, model}, {resting_at({0.0, 0.0, 0.0}), resting_at({0.19, 0.0, 0.0})},
+                settings);
+    FixedWork all(kUnlimitedTests);
+    world.step(step_of(1e-6), all);
+    World copy = world;
+    WorkGrants grants;
+    grants.of(WorkPhase::kRoots) = 0;
+    FixedWork meter(grants);
+    FixedWork same(grants);
+    return std::pair(world.step(step_of(1e-6), meter).work_floor,
+                     copy.step(step_of(1e-6), same).work_floor);
+  };
+  using Floors = std::pair<std::int64_t, std::int64_t>;
+  EXPECT_EQ(floors(9), (Floors{0, 0}));
+  EXPECT_EQ(floors(8), (Floors{kAllPhases.sphere_test, kAllPhases.volume_test}));
+}
+
 TEST(SqueezedSteps, PairsThatAStepCouldNotLookAtAreFirstInLineInTheNext) {
   const BodyModel model = ball(0.1, 1.0);
   std::vector<BodyState> states;

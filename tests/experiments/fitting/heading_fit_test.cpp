@@ -130,7 +130,8 @@ std::vector<AnsweringPerson> people_with(double noise_deg, Asked asked, std::uin
   RandomStream stream(seed, "heading fit");
   std::vector<AnsweringPerson> people;
   for (int i = 0; i < 8; ++i) {
-    AnsweringPerson& person = people.emplace_back("S" + std::to_string(i));
+    people.push_back({"S" + std::to_string(i), {}});
+    AnsweringPerson& person = people.back();
     for (double distance_deg = -4.0; distance_deg <= 4.0; distance_deg += 0.5) {
       AnsweredTrial& trial = person.trials.emplace_back();
       trial.percepts = {clip(distance_deg)};

@@ -84,9 +84,10 @@ TEST(JsonDocument, OnlyARegularFileIsOpened) {
       {folder / "loop.json", "its links lead round in a circle"},
       {folder / long_name, "its name is too long"},
       {folder / "file/a.json", "a part of its path is a file, not a directory"}};
-  for (const auto& [path, reason] : cases) {
+  for (const auto& each : cases) {
+    const auto& path = each.first;
     EXPECT_EQ(refusal([&] { read_json(path); }),
-              path.string() + ": expected a JSON file, but it cannot be read: " + reason);
+              path.string() + ": expected a JSON file, but it cannot be read: " + each.second);
   }
   EXPECT_EQ(refusal([&] { read_json(folder / "link.json"); }), "accepted");
 }
