@@ -2,8 +2,10 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
+#include <cmath>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -101,6 +103,12 @@ class WorldOfPython {
 
   StepOfPython step(std::optional<std::pair<double, double>> looks_at_m,
                     std::optional<std::int64_t> work) {
+    if (looks_at_m && !(std::isfinite(looks_at_m->first) && std::isfinite(looks_at_m->second))) {
+      throw py::value_error("looks_at_m: expected two finite numbers");
+    }
+    if (work && *work < 0) {
+      throw py::value_error("work: expected 0 units or more, got " + std::to_string(*work));
+    }
     require_whole();
     const Fixation fixation =
         looks_at_m ? Fixation(ScreenPoint{looks_at_m->first, looks_at_m->second}) : Fixation();

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The engine in Python is the program's: the same bits, no copies, metrics of one's own."""
 
+import math
 import pathlib
 import tempfile
 import unittest
@@ -83,6 +84,15 @@ class Worlds(unittest.TestCase):
             levels["limited"] += [each.level for each in limited.step(work=0).collisions]
         self.assertGreater(max(levels["full"]), 0)
         self.assertLess(numpy.mean(levels["limited"]), numpy.mean(levels["full"]))
+
+    def test_steps_that_cannot_be_meant_are_refused(self):
+        world = impetus.world(CROWD)
+        with self.assertRaisesRegex(ValueError, "work: expected 0 units or more, got -1"):
+            world.step(work=-1)
+        for place in ((math.nan, 0.0), (0.0, math.inf)):
+            with self.assertRaisesRegex(ValueError, "looks_at_m: expected two finite numbers"):
+                world.step(looks_at_m=place)
+        self.assertEqual(world.number, 0)
 
     def test_a_metric_in_python_is_as_good_as_the_engines_own(self):
         own, named = impetus.world(CROWD), impetus.world(CROWD)
