@@ -40,7 +40,8 @@ TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
       VirtualClock clock;
       const auto observer =
           make_observer(file, {static_cast<std::uint64_t>(study), code, clock, clock});
-      AnsweringPerson& person = people.emplace_back(code);
+      people.push_back({code, {}});
+      AnsweringPerson& person = people.back();
       AttemptRecord shown;
       shown.frames.resize(1);
       shown.frames[0].interval = 1;
