@@ -164,10 +164,8 @@ void print_floors(const Protocol& protocol) {
 /// A scene by itself: what is in it, and its floor.
 void check_scene(const std::filesystem::path& file, const CheckOptions& options) {
   const JsonDocument scene = load_scene(file);
-  for (const auto& [given, name] : {std::pair{options.explain, "--explain"},
-                                    std::pair{!options.observer.empty(), "--observer"}}) {
-    require(!given, std::string(name) + ": expected a protocol, got a scene, " + scene.name);
-  }
+  require_not_given({{options.explain, "--explain"}, {!options.observer.empty(), "--observer"}},
+                    "expected a protocol, got a scene, " + scene.name);
   ShapeLibrary shapes;
   const StagedScene staged = staged_from(
       scene, [&] { return build_scene(scene.value, assumed_screen(), kUnroundedHold, shapes); });

@@ -94,18 +94,13 @@ int film_one(const Film& film, const FilmTarget& target, const FilmLook& look,
   return kDone;
 }
 
-/// What was recorded has its own screen and rate, and is one film.
-void require_none_of_scenes(const FilmOptions& options) {
-  for (const auto& [given, name] : {std::pair{!options.screen_file.empty(), "--screen"},
-                                    std::pair{options.refresh_hz.has_value(), "--refresh"},
-                                    std::pair{options.allow_rounding, "--allow-rounding"},
-                                    std::pair{!options.format.empty(), "--format"}}) {
-    require(!given, std::string(name) + ": expected a scene or a protocol beside it, got a study");
-  }
-}
-
 int film_trial(const FilmOptions& options) {
-  require_none_of_scenes(options);
+  // What was recorded has its own screen and rate, and is one film.
+  require_not_given({{!options.screen_file.empty(), "--screen"},
+                     {options.refresh_hz.has_value(), "--refresh"},
+                     {options.allow_rounding, "--allow-rounding"},
+                     {!options.format.empty(), "--format"}},
+                    "expected a scene or a protocol beside it, got a study");
   require(options.trial.has_value(),
           "--trial: expected the number of a trial (the column `trial` of the views), which is "
           "missing");
@@ -124,10 +119,9 @@ int film_trial(const FilmOptions& options) {
 }
 
 int film_scene(const FilmOptions& options) {
-  for (const auto& [given, name] : {std::pair{!options.format.empty(), "--format"},
-                                    std::pair{options.allow_rounding, "--allow-rounding"}}) {
-    require(!given, std::string(name) + ": expected a protocol beside it, got a scene");
-  }
+  require_not_given(
+      {{!options.format.empty(), "--format"}, {options.allow_rounding, "--allow-rounding"}},
+      "expected a protocol beside it, got a scene");
   const FilmTarget target = film_target(options.out);
   const JsonDocument scene = load_scene(shipped_file(options.scene));
   ScreenGeometry screen = chosen_screen(options.screen_file);
