@@ -1,12 +1,19 @@
 // `impetus merge`: files of several stations of one study, joined into one.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/protocol/protocol_file.hpp"
 #include "experiments/provenance/build_name.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/merging/study_merge.hpp"
+#include "experiments/store/rows.hpp"
+#include "experiments/store/study_reader.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -17,8 +24,43 @@ struct MergeOptions {
   std::string into;
 };
 
+/// By its name.
+class ChangedProtocol : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+std::string hash_of(const ProtocolTexts& texts) {
+  return make_protocol(parse_json("protocol", texts.protocol_json),
+                       parse_json("scene", texts.scene_json))
+      .hash;
+}
+
+/// Studies are one by the hashes of their protocols: a protocol that was changed by hand would pass
+/// for another, or give itself to trials that never had it. What is no study, or has a protocol
+/// that this build cannot read, is left to merge_studies(). Throws InputError.
+void require_protocols_as_hashed(const std::filesystem::path& path) {
+  try {
+    StudyFile study = StudyFile::open_for_reading(path);
+    for (const std::int64_t id :
+         load_column<std::int64_t>(study.database(), "SELECT id FROM protocol ORDER BY id")) {
+      const ProtocolTexts texts = load_protocol_texts(study, id);
+      if (hash_of(texts) != texts.hash) {
+        throw ChangedProtocol(texts.name);
+      }
+    }
+  } catch (const ChangedProtocol& changed) {
+    throw InputError(path.string() + ": its protocol " + changed.what() +
+                     " was changed by hand, its hash tells");
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
 int merge(const MergeOptions& options) {
   const std::vector<std::filesystem::path> sources(options.sources.begin(), options.sources.end());
+  std::for_each(sources.begin(), sources.end(), require_protocols_as_hashed);
+  require_protocols_as_hashed(options.into);
   const MergeResult result = merge_studies(sources, options.into, build_name());
   std::printf(
       "%s: %lld participant%s added; it holds %lld, with %lld completed trials. The merged "

@@ -49,7 +49,53 @@ SELECT place || ': of the answers 1 to ' || max(response.number) || ' there are 
 
 SELECT place || ': its onset is not the flip of its first frame of the stimulus' FROM shown
   JOIN (SELECT attempt_id, min(flipped_ns) AS first_ns FROM frame WHERE phase = 'stimulus'
-    GROUP BY attempt_id) ON attempt_id = shown.id WHERE onset_ns NOT IN (0, first_ns);
+    GROUP BY attempt_id) ON attempt_id = shown.id 
+  WHERE onset_ns <> first_ns AND (onset_ns <> 0 OR outcome <> 'interrupted');
+
+SELECT place || ': ' || what || ' of interval ' || max(interval) || ', which it has not' FROM (
+    SELECT attempt_id, interval, 'a frame' AS what FROM frame
+    UNION ALL SELECT attempt_id, interval, 'a sample of the gaze' FROM gaze
+    UNION ALL SELECT attempt_id, interval, 'a click' FROM click
+    UNION ALL SELECT attempt_id, interval, 'a marker' FROM marker
+    UNION ALL SELECT attempt_id, interval, 'a sound' FROM sound) AS kept
+  JOIN shown ON shown.id = attempt_id WHERE outcome <> 'interrupted'
+    AND interval > (SELECT max(interval) FROM step WHERE attempt_id = shown.id)
+  GROUP BY attempt_id, what;
+
+SELECT place || ': frame ' || frame || ' is of the cross, and one before it of the stimulus' FROM (
+    SELECT attempt_id, frame, phase AS part, max(phase = 'stimulus') OVER so_far AS was_shown
+    FROM frame WINDOW so_far AS (PARTITION BY attempt_id, interval ORDER BY frame))
+  JOIN shown ON shown.id = attempt_id WHERE part = 'fixation' AND was_shown
+  GROUP BY attempt_id HAVING frame = min(frame);
+
+SELECT place || ': frame ' || frame || ' shows a time before that of the frame before it' FROM (
+    SELECT attempt_id, frame, shown_time_s,
+      lag(shown_time_s) OVER (PARTITION BY attempt_id, interval ORDER BY frame) AS before_s
+    FROM frame WHERE phase = 'stimulus') JOIN shown ON shown.id = attempt_id
+  WHERE shown_time_s < before_s GROUP BY attempt_id HAVING frame = min(frame);
+
+SELECT place || ': ' || what || ' is said to be first shown by frame ' || first_frame ||
+    ', which is missing' FROM (
+    SELECT attempt_id, 'step ' || step AS what, shown_frame AS first_frame FROM step
+    UNION ALL SELECT attempt_id, 'the collision of ' || body_a || ' and ' || body_b, first_frame
+    FROM collision) AS told
+  JOIN shown ON shown.id = attempt_id
+  WHERE first_frame NOT IN (SELECT frame FROM frame WHERE attempt_id = shown.id)
+    AND EXISTS (SELECT 1 FROM frame WHERE attempt_id = shown.id) GROUP BY attempt_id;
+
+SELECT place || ': click ' || min(click.number) || ' comes before its cross' FROM click
+  JOIN shown ON shown.id = click.attempt_id
+  WHERE arrived_ns < (SELECT min(flipped_ns) FROM frame
+    WHERE attempt_id = shown.id AND frame.phase = 'fixation') GROUP BY shown.id;
+
+SELECT place || ': is completed, and was interrupted by ' || interrupted_by FROM shown
+  WHERE outcome = 'completed' AND interrupted_by IS NOT NULL;
+
+-- Of two intervals only the test's is told.
+SELECT place || ': held for ' || realised_hold_ms || ' ms, a collision for ' || max(imposed_hold_ms)
+  FROM shown JOIN collision ON attempt_id = shown.id WHERE imposed_hold_ms > 0
+  GROUP BY shown.id HAVING max(interval) = 1
+    AND abs(realised_hold_ms - max(imposed_hold_ms)) > 0.001;
 
 SELECT place || ': frame ' || frame || ' was shown before the frame before it' FROM (
   SELECT attempt_id, frame, flipped_ns, lag(flipped_ns) OVER (PARTITION BY attempt_id ORDER BY frame)
@@ -80,3 +126,14 @@ SELECT place || ': the answer ' || answer || ' is kept as ' || CASE positive WHE
 
 SELECT place || ': an answer that did not come in time is ' || answer FROM response
   JOIN shown ON shown.id = attempt_id WHERE timed_out AND coalesce(answer, '') <> '';
+
+SELECT place || ': asked before it was shown' FROM (
+    SELECT attempt_id, question_shown_ns FROM response
+    UNION ALL SELECT attempt_id, question_shown_ns FROM rating)
+  JOIN shown ON shown.id = attempt_id
+  WHERE question_shown_ns < onset_ns GROUP BY attempt_id;
+
+SELECT place || ': the answer ' || answer || ' is none that can be given' FROM response
+  JOIN shown ON shown.id = attempt_id WHERE NOT timed_out AND
+    ((kind = 'yes_no' AND answer NOT IN ('yes', 'no')) OR
+     (kind = 'two_interval' AND answer NOT IN ('first', 'second')));

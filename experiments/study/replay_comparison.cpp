@@ -14,6 +14,7 @@
 #include "experiments/run/live_run.hpp"
 #include "experiments/store/attempt_rows.hpp"
 #include "experiments/store/migration.hpp"
+#include "experiments/store/rows.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus::inline study {
@@ -32,15 +33,12 @@ bool is_compared(const std::string& column) {
   return std::find(kOthers.begin(), kOthers.end(), column) == kOthers.end();
 }
 
-/// Whether two values of a column are the same. NULL is what older schemas did not record, angles
-/// come from functions that processors round differently in their last bits, and older formats
-/// named walls by axes.
-bool is_same(const SQLite::Column& recorded, const SQLite::Column& again) {
-  if (recorded.isNull()) {
-    return true;
-  }
-  if (again.isNull()) {
-    return false;
+/// Whether two values of a column are the same, of an attempt of an old schema, which left columns
+/// out, or not. Angles come from functions that processors round differently in their last bits,
+/// and older formats named walls by axes.
+bool is_same(const SQLite::Column& recorded, const SQLite::Column& again, bool old) {
+  if (recorded.isNull() || again.isNull()) {
+    return recorded.isNull() && (old || again.isNull());
   }
   if (again.isFloat() || recorded.isFloat()) {
     constexpr double kOfTheLarger = 1e-9;
@@ -99,14 +97,16 @@ std::optional<std::int64_t> last_needed(StudyFile& study, const StoredAttempt& a
 
 /// What differs between two rows with the same columns, of which the first says where they are; ""
 /// when nothing does.
-std::string difference(const SQLite::Statement& recorded, const SQLite::Statement& again) {
+std::string difference(const SQLite::Statement& recorded, const SQLite::Statement& again,
+                       bool old) {
   for (int i = 1; i < again.getColumnCount(); ++i) {
     const std::string column = again.getColumnName(i);
     const SQLite::Column was = recorded.getColumn(column.c_str());
     const SQLite::Column is = again.getColumn(i);
-    if (is_compared(column) && !is_same(was, is)) {
-      return recorded.getColumn(0).getString() + ": " + column + " is " + was.getString() +
-             ", simulated again " + (is.isNull() ? "nothing" : is.getString());
+    if (is_compared(column) && !is_same(was, is, old)) {
+      return recorded.getColumn(0).getString() + ": " + column + " is " +
+             (was.isNull() ? "nothing" : was.getString()) + ", simulated again " +
+             (is.isNull() ? "nothing" : is.getString());
     }
   }
   return "";
@@ -115,6 +115,11 @@ std::string difference(const SQLite::Statement& recorded, const SQLite::Statemen
 /// The same of all rows of a query, in both databases.
 std::string difference(SQLite::Database& study, std::int64_t attempt_id, SQLite::Database& replay,
                        std::int64_t replayed_id, const char* query) {
+  // Before schema 5 no attempt says when it was saved, and columns that came later are empty.
+  const bool old =
+      load_value<std::int64_t>(study, "SELECT 1 FROM attempt WHERE id = ? AND saved_utc IS NULL",
+                               attempt_id)
+          .has_value();
   SQLite::Statement recorded(study, query);
   SQLite::Statement again(replay, query);
   recorded.bind(1, attempt_id);
@@ -127,7 +132,7 @@ std::string difference(SQLite::Database& study, std::int64_t attempt_id, SQLite:
              : is ? again.getColumn(0).getString() + " is not recorded"
                   : "";
     }
-    if (std::string words = difference(recorded, again); !words.empty()) {
+    if (std::string words = difference(recorded, again, old); !words.empty()) {
       return words;
     }
   }

@@ -109,6 +109,8 @@ TEST(Verify, WhateverWasChangedIsNamed) {
        "answers: P01, causality, slot 3, attempt 1: completed without the rating that was asked "
        "for"},
       {"INSERT INTO click VALUES (3, 1, 'key', 12, 13, 1)",
+       "recordings: P01, causality, slot 3, attempt 1: click 1 comes before its cross"},
+      {"INSERT INTO click SELECT 3, 1, 'key', onset_ns + 12, 13, 1 FROM attempt WHERE id = 3",
        "answers: P01, causality, slot 3, attempt 1: has clicks, which its protocol does not ask "
        "for"},
       {"DELETE FROM step WHERE attempt_id = 7 AND step = 20",
@@ -129,6 +131,31 @@ TEST(Verify, WhateverWasChangedIsNamed) {
        "recordings: P02, causality, slot 2, attempt 1: its onset is not the flip of its first "
        "frame "
        "of the stimulus"},
+      {"UPDATE attempt SET onset_ns = 0 WHERE id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: its onset is not the flip of its first "
+       "frame of the stimulus"},
+      {"UPDATE frame SET interval = 2 WHERE attempt_id = 7 AND frame = 150",
+       "recordings: P02, causality, slot 2, attempt 1: a frame of interval 2, which it has not"},
+      {"UPDATE frame SET phase = 'fixation' WHERE attempt_id = 7 AND frame = 100",
+       "recordings: P02, causality, slot 2, attempt 1: frame 100 is of the cross, and one before "
+       "it of the stimulus"},
+      {"UPDATE frame SET shown_time_s = 0 WHERE attempt_id = 7 AND frame = 100",
+       "recordings: P02, causality, slot 2, attempt 1: frame 100 shows a time before that of the "
+       "frame before it"},
+      {"UPDATE step SET shown_frame = 999 WHERE attempt_id = 7 AND step = 20",
+       "recordings: P02, causality, slot 2, attempt 1: step 20 is said to be first shown by frame "
+       "999, which is missing"},
+      {"UPDATE collision SET imposed_hold_ms = 300 WHERE attempt_id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: held for 0.0 ms, a collision for 300.0"},
+      {"UPDATE attempt SET interrupted_by = 'pause' WHERE id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: is completed, and was interrupted by pause"},
+      {"UPDATE rating SET question_shown_ns = 5 WHERE attempt_id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: asked before it was shown"},
+      {"INSERT INTO response (attempt_id, number, kind, question, answer, positive, detail, "
+       "device, "
+       "question_shown_ns, arrived_ns, arrival_uncertainty_ns) VALUES (7, 1, 'yes_no', 'Seen?', "
+       "'maybe', 0, '{}', 'key', 9000000000000000000, 9000000000000000001, 0)",
+       "recordings: P02, causality, slot 2, attempt 1: the answer maybe is none that can be given"},
       {"UPDATE frame SET flipped_ns = (SELECT flipped_ns FROM frame WHERE attempt_id = 7 AND frame "
        "= "
        "149) WHERE attempt_id = 7 AND frame = 150",
@@ -226,6 +253,33 @@ TEST(Verify, AChangedStepIsFoundByItsReplay) {
   EXPECT_EQ(last_line(result),
             "a.sqlite: cannot be published: P02, causality, slot 2, attempt 1: diverges at step "
             "100, in the hash alone");
+}
+
+TEST(Verify, AnEmptiedValueIsFoundByItsReplay) {
+  const VerifiedStudy study;
+  static_cast<void>(study.tampered("UPDATE collision SET distance_m = NULL WHERE attempt_id = 7"));
+  const ProgramResult result = run_program(study.folder(), {"verify", "a.sqlite", "--replay"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(last_line(result).find("distance_m is nothing, simulated again "), std::string::npos)
+      << last_line(result);
+}
+
+TEST(Verify, AMergeRefusesAProtocolThatWasChangedByHand) {
+  const TemporaryFolder folder;
+  small_study(folder / "a.sqlite", {"P01"});
+  small_study(folder / "b.sqlite", {"P02"});
+  tamper(folder / "b.sqlite",
+         "UPDATE protocol SET protocol_json = replace(protocol_json, "
+         "'\"small\"', '\"Small\"')");
+  for (const auto& [first, second] :
+       {std::pair{"a.sqlite", "b.sqlite"}, std::pair{"b.sqlite", "a.sqlite"}}) {
+    const ProgramResult result =
+        run_program(folder, {"merge", first, second, "--into", "c.sqlite"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.errors,
+              "impetus: b.sqlite: its protocol causality was changed by hand, its hash tells\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "c.sqlite"));
+  }
 }
 
 TEST(Verify, AFactorMaySetHowOftenTheEngineSteps) {
