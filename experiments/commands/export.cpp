@@ -11,9 +11,9 @@
 #include "experiments/exports/csv_export.hpp"
 #include "experiments/exports/earlier_export.hpp"
 #include "experiments/exports/whole_output.hpp"
-#include "experiments/protocol/protocol_file.hpp"
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -38,10 +38,6 @@ void warn(const ExportReport& report) {
     std::fprintf(stderr, "note: %lld texts were no UTF-8; bytes that are none became U+FFFD\n",
                  static_cast<long long>(report.mended_texts));
   }
-}
-
-std::string hash_of(const std::string& protocol, const std::string& scene) {
-  return make_protocol(parse_json("protocol", protocol), parse_json("scene", scene)).hash;
 }
 
 /// Without the people, where that was asked for; the study itself otherwise.

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/protocol/protocol_file.hpp"
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/merging/study_merge.hpp"
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_reader.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -30,12 +30,6 @@ class ChangedProtocol : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::string hash_of(const ProtocolTexts& texts) {
-  return make_protocol(parse_json("protocol", texts.protocol_json),
-                       parse_json("scene", texts.scene_json))
-      .hash;
-}
-
 /// Studies are one by the hashes of their protocols: a protocol that was changed by hand would pass
 /// for another, or give itself to trials that never had it. What is no study, or has a protocol
 /// that this build cannot read, is left to merge_studies(). Throws InputError.
@@ -45,7 +39,7 @@ void require_protocols_as_hashed(const std::filesystem::path& path) {
     for (const std::int64_t id :
          load_column<std::int64_t>(study.database(), "SELECT id FROM protocol ORDER BY id")) {
       const ProtocolTexts texts = load_protocol_texts(study, id);
-      if (hash_of(texts) != texts.hash) {
+      if (hash_of(texts.protocol_json, texts.scene_json) != texts.hash) {
         throw ChangedProtocol(texts.name);
       }
     }

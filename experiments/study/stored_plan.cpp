@@ -51,4 +51,8 @@ ProtocolTexts texts_of(const Protocol& protocol) {
   return {protocol.name, protocol.hash, protocol.document.text, protocol.scene.text};
 }
 
+std::string hash_of(const std::string& protocol_json, const std::string& scene_json) {
+  return make_protocol(parse_json("protocol", protocol_json), parse_json("scene", scene_json)).hash;
+}
+
 }  // namespace impetus::inline study

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "experiments/design/plan.hpp"
@@ -20,5 +21,8 @@ Condition stored_group(const std::vector<StoredTrial>& trials, const Design& des
 
 /// The protocol and its scene as they were read.
 ProtocolTexts texts_of(const Protocol& protocol);
+
+/// The hash of such texts, computed anew. Throws InputError where they are no protocol.
+std::string hash_of(const std::string& protocol_json, const std::string& scene_json);
 
 }  // namespace impetus::inline study
