@@ -2,7 +2,6 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <cmath>
 
 #include <algorithm>
 #include <cmath>

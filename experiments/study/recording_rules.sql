@@ -49,7 +49,7 @@ SELECT place || ': of the answers 1 to ' || max(response.number) || ' there are 
 
 SELECT place || ': its onset is not the flip of its first frame of the stimulus' FROM shown
   JOIN (SELECT attempt_id, min(flipped_ns) AS first_ns FROM frame WHERE phase = 'stimulus'
-    GROUP BY attempt_id) ON attempt_id = shown.id 
+    GROUP BY attempt_id) ON attempt_id = shown.id
   WHERE onset_ns <> first_ns AND (onset_ns <> 0 OR outcome <> 'interrupted');
 
 SELECT place || ': ' || what || ' of interval ' || max(interval) || ', which it has not' FROM (
