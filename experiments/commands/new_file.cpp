@@ -64,13 +64,13 @@ void require_new_files(const std::vector<AskedFile>& files) {
 }
 
 void require_new_pictures(const std::vector<AskedFile>& files) {
+  require_new_files(files);
   for (const AskedFile& each : files) {
     if (!each.file.empty() && each.file.extension() != ".png") {
       throw InputError(each.asked_by + ": expected a picture's name, which ends in .png, got " +
                        each.file.string());
     }
   }
-  require_new_files(files);
 }
 
 void require_new_files(const std::filesystem::path& folder, const std::vector<std::string>& names,

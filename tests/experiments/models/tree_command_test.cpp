@@ -200,6 +200,18 @@ TEST_F(TreePictures, NothingIsOverwritten) {
   EXPECT_EQ(text_of(folder_ / "a.tree"), before);
 }
 
+TEST_F(TreePictures, APictureIsAPngFileAndAloneHasASize) {
+  const auto refused = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"tree", "show", "a.tree"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_program(folder_, all).errors;
+  };
+  EXPECT_EQ(refused({"--png", "a.jpg"}),
+            "impetus: --png: expected a picture's name, which ends in .png, got a.jpg\n");
+  EXPECT_EQ(refused({"--height", "90"}),
+            "impetus: --height: expected --png or --strip beside it, which is missing\n");
+}
+
 TEST_F(TreePictures, WhatCannotBePicturedIsRefused) {
   struct Case {
     std::vector<std::string> words;
