@@ -1,9 +1,11 @@
 // `impetus merge`: files of several stations of one study, joined into one.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,30 +26,29 @@ struct MergeOptions {
   std::string into;
 };
 
-/// By its name.
-class ChangedProtocol : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Studies are one by the hashes of their protocols: a protocol that was changed by hand would pass
-/// for another, or give itself to trials that never had it. What is no study, or has a protocol
-/// that this build cannot read, is left to merge_studies(). Throws InputError.
-void require_protocols_as_hashed(const std::filesystem::path& path) {
+/// The first protocol of the study that does not have the hash that it is kept under; none of what
+/// is no study, or has a protocol that this build cannot read: merge_studies() judges that.
+std::optional<std::string> changed_protocol(const std::filesystem::path& path) {
   try {
     StudyFile study = StudyFile::open_for_reading(path);
     for (const std::int64_t id :
          load_column<std::int64_t>(study.database(), "SELECT id FROM protocol ORDER BY id")) {
       const ProtocolTexts texts = load_protocol_texts(study, id);
       if (hash_of(texts.protocol_json, texts.scene_json) != texts.hash) {
-        throw ChangedProtocol(texts.name);
+        return texts.name;
       }
     }
-  } catch (const ChangedProtocol& changed) {
-    throw InputError(path.string() + ": its protocol " + changed.what() +
-                     " was changed by hand, its hash tells");
   } catch (const std::exception&) {
-    return;
+  }
+  return std::nullopt;
+}
+
+/// Studies are one by the hashes of their protocols: one that was changed by hand would pass for
+/// another, or give itself to trials that never had it. Throws InputError.
+void require_protocols_as_hashed(const std::filesystem::path& path) {
+  if (const auto name = changed_protocol(path)) {
+    throw InputError(path.string() + ": its protocol " + *name +
+                     " was changed by hand, its hash tells");
   }
 }
 

@@ -209,6 +209,24 @@ TEST(Merge, EachParticipantKeepsTheFileTheyCameFrom) {
             "P01 a.sqlite, P02 b.sqlite, P03 c.sqlite");
 }
 
+TEST(Merge, AProtocolThatWasChangedByHandIsRefused) {
+  const TemporaryFolder folder;
+  small_study(folder / "a.sqlite", {"P01"});
+  small_study(folder / "b.sqlite", {"P02"});
+  tamper(folder / "b.sqlite",
+         "UPDATE protocol SET protocol_json = replace(protocol_json, "
+         "'\"small\"', '\"Small\"')");
+  for (const auto& [first, second] :
+       {std::pair{"a.sqlite", "b.sqlite"}, std::pair{"b.sqlite", "a.sqlite"}}) {
+    const ProgramResult result =
+        run_program(folder, {"merge", first, second, "--into", "c.sqlite"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.errors,
+              "impetus: b.sqlite: its protocol causality was changed by hand, its hash tells\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "c.sqlite"));
+  }
+}
+
 TEST(Merge, AMergedStudyReplaysAndPassesItsVerification) {
   const Stations at;
   const ProgramResult merged =

@@ -264,24 +264,6 @@ TEST(Verify, AnEmptiedValueIsFoundByItsReplay) {
       << last_line(result);
 }
 
-TEST(Verify, AMergeRefusesAProtocolThatWasChangedByHand) {
-  const TemporaryFolder folder;
-  small_study(folder / "a.sqlite", {"P01"});
-  small_study(folder / "b.sqlite", {"P02"});
-  tamper(folder / "b.sqlite",
-         "UPDATE protocol SET protocol_json = replace(protocol_json, "
-         "'\"small\"', '\"Small\"')");
-  for (const auto& [first, second] :
-       {std::pair{"a.sqlite", "b.sqlite"}, std::pair{"b.sqlite", "a.sqlite"}}) {
-    const ProgramResult result =
-        run_program(folder, {"merge", first, second, "--into", "c.sqlite"});
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.errors,
-              "impetus: b.sqlite: its protocol causality was changed by hand, its hash tells\n");
-    EXPECT_FALSE(std::filesystem::exists(folder / "c.sqlite"));
-  }
-}
-
 TEST(Verify, AFactorMaySetHowOftenTheEngineSteps) {
   json changed = small_protocol().document.value;
   json& design = changed["design"];
