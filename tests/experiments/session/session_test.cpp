@@ -8,7 +8,6 @@
 #include <functional>
 #include <set>
 
-#include "experiments/questions/session_pages.hpp"
 #include "tests/experiments/fakes.hpp"
 
 namespace impetus::session_test {
@@ -35,17 +34,6 @@ TEST(Session, GoesFromWelcomeToThanksInOrder) {
   EXPECT_EQ(lab.input.titles, expected);
   EXPECT_TRUE(lab.recorder.finished);
   EXPECT_EQ(lab.recorder.attempts.size(), 4U);
-}
-
-TEST(Session, WhoSeesNoCrossIsNotToldToLookAtIt) {
-  const auto advice = [](double cross_ms) {
-    TestLab lab;
-    Script script = lab.protocol.script;
-    script.timing.fixation = {cross_ms, cross_ms};
-    return phase_intro(script, TrialPhase::kMain, 1, 8, {}).paragraphs.back();
-  };
-  EXPECT_EQ(advice(500.0), "Keep your eyes on the cross before each one. Esc pauses at any time.");
-  EXPECT_EQ(advice(0.0), "Esc pauses at any time.");
 }
 
 TEST(Session, ABreakComesAfterEvery27MainTrialsButNotAtTheEnd) {
