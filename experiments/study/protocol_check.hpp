@@ -1,6 +1,4 @@
-// Whether a study is what its protocols ask for: each plan the one that protocol, code and seed
-// give, and each completed attempt with the answers that were asked for, and no less of the
-// simulation than was shown.
+// The protocols of a study, and whether each plan is the one that protocol, code and seed give.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -31,13 +29,6 @@ class ProtocolShelf {
   std::size_t unreadable_{0};
   Failures failures_;
 };
-
-/// Answers that are missing, doubled, on another scale or never asked for. Attempts whose protocol
-/// cannot be read are passed over. Throws SQLite::Exception.
-Failures wrong_answers(StudyFile& study, const ProtocolShelf& shelf);
-
-/// Intervals whose last step is not the last that their last frame needs. Throws SQLite::Exception.
-Failures wrong_lengths(StudyFile& study, const ProtocolShelf& shelf);
 
 /// Plans every enrolment anew; of each the first difference is told. The level of an adaptive trial
 /// is left to a replay, solved values are taken as they were stored. Enrolments whose protocol

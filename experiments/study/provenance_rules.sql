@@ -45,3 +45,10 @@ SELECT place || ': has an ending without its time, or the time without it'
 SELECT shown.place || ': its gaze came from another source than its session''s'
   FROM shown JOIN session ON session.id = session_id
   WHERE session.gaze_source IS NOT NULL AND shown.gaze_source <> session.gaze_source;
+
+SELECT shown.place || ': answered by ' || device || ', in a session of ' ||
+    iif(session.simulated, 'a simulated participant', 'a person') FROM (
+    SELECT attempt_id, device FROM response UNION ALL SELECT attempt_id, device FROM rating
+    UNION ALL SELECT attempt_id, device FROM click) AS given
+  JOIN shown ON shown.id = attempt_id JOIN session ON session.id = session_id
+  WHERE device <> 'none' AND (device = 'simulated') <> session.simulated GROUP BY shown.id;

@@ -74,15 +74,6 @@ SELECT place || ': frame ' || frame || ' shows a time before that of the frame b
     FROM frame WHERE phase = 'stimulus') JOIN shown ON shown.id = attempt_id
   WHERE shown_time_s < before_s GROUP BY attempt_id HAVING frame = min(frame);
 
-SELECT place || ': ' || what || ' is said to be first shown by frame ' || first_frame ||
-    ', which is missing' FROM (
-    SELECT attempt_id, 'step ' || step AS what, shown_frame AS first_frame FROM step
-    UNION ALL SELECT attempt_id, 'the collision of ' || body_a || ' and ' || body_b, first_frame
-    FROM collision) AS told
-  JOIN shown ON shown.id = attempt_id
-  WHERE first_frame NOT IN (SELECT frame FROM frame WHERE attempt_id = shown.id)
-    AND EXISTS (SELECT 1 FROM frame WHERE attempt_id = shown.id) GROUP BY attempt_id;
-
 SELECT place || ': click ' || min(click.number) || ' comes before its cross' FROM click
   JOIN shown ON shown.id = click.attempt_id
   WHERE arrived_ns < (SELECT min(flipped_ns) FROM frame
@@ -118,22 +109,8 @@ SELECT place || ': answered before it was asked' FROM (
     UNION ALL SELECT attempt_id, arrived_ns, question_shown_ns FROM rating)
   JOIN shown ON shown.id = attempt_id WHERE arrived_ns < question_shown_ns GROUP BY attempt_id;
 
-SELECT place || ': the answer ' || answer || ' is kept as ' || CASE positive WHEN 1 THEN 'positive'
-    WHEN 0 THEN 'negative' ELSE 'neither' END FROM response JOIN shown ON shown.id = attempt_id
-  WHERE NOT timed_out AND positive IS NOT CASE kind WHEN 'yes_no' THEN answer = 'yes'
-    WHEN 'two_interval' THEN answer = iif(detail ->> '$.test_interval' = 1, 'first', 'second')
-    ELSE positive END;
-
-SELECT place || ': an answer that did not come in time is ' || answer FROM response
-  JOIN shown ON shown.id = attempt_id WHERE timed_out AND coalesce(answer, '') <> '';
-
 SELECT place || ': asked before it was shown' FROM (
     SELECT attempt_id, question_shown_ns FROM response
     UNION ALL SELECT attempt_id, question_shown_ns FROM rating)
   JOIN shown ON shown.id = attempt_id
   WHERE question_shown_ns < onset_ns GROUP BY attempt_id;
-
-SELECT place || ': the answer ' || answer || ' is none that can be given' FROM response
-  JOIN shown ON shown.id = attempt_id WHERE NOT timed_out AND
-    ((kind = 'yes_no' AND answer NOT IN ('yes', 'no')) OR
-     (kind = 'two_interval' AND answer NOT IN ('first', 'second')));

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
+#include "experiments/questions/level_value.hpp"
 #include "experiments/record/wall_names.hpp"
 #include "experiments/run/frame_poses.hpp"
 #include "experiments/run/live_run.hpp"
@@ -138,6 +140,23 @@ std::string difference(SQLite::Database& study, std::int64_t attempt_id, SQLite:
   }
 }
 
+/// The same of the freeze at contact.
+std::string hold_difference(SQLite::Database& study, std::int64_t attempt_id,
+                            const AttemptRecord& again) {
+  constexpr double kMost_ms = 1e-6;
+  const auto [intended_ms, realised_ms] = load_row<double, double>(
+      study, "SELECT intended_hold_ms, realised_hold_ms FROM attempt WHERE id = ?", attempt_id);
+  for (const auto& [name, was_ms, is_ms] :
+       {std::tuple("intended", intended_ms, 1e3 * again.intended_hold_s),
+        std::tuple("realised", realised_ms, 1e3 * again.realised_hold_s)}) {
+    if (std::abs(was_ms - is_ms) > kMost_ms) {
+      return std::string("its ") + name + " hold is " + to_text(LevelValue(was_ms)) +
+             " ms, staged again " + to_text(LevelValue(is_ms)) + " ms";
+    }
+  }
+  return "";
+}
+
 bool is_named(const std::optional<Divergence>& divergence) {
   return divergence && !divergence->body.empty();
 }
@@ -158,6 +177,9 @@ std::string ReplayComparison::problem_of(const StoredAttempt& attempt) {
     if (std::string problem = simulate(attempt, interval, again); !problem.empty()) {
       return problem + why_divergent(attempt);
     }
+  }
+  if (std::string words = hold_difference(study_.database(), attempt.id, again); !words.empty()) {
+    return words;
   }
   again_.exec("DELETE FROM step; DELETE FROM collision");
   constexpr std::int64_t kAttempt = 1;
@@ -182,6 +204,10 @@ std::string ReplayComparison::simulate(const StoredAttempt& attempt, std::int64_
   RunningReplay running(library_.stage(attempt, interval), recorded);
   again.body_names = body_names(running.scene().world);
   again.wall_naming = wall_naming(running.scene().world.settings().enclosure);
+  if (!library_.shows_standard(attempt, interval)) {
+    again.intended_hold_s = running.scene().intended_hold_s;
+    again.realised_hold_s = running.scene().realised_hold_s;
+  }
   while (!running.done() && !is_named(running.result().divergence)) {
     const StepRecord& then = recorded[static_cast<std::size_t>(running.next_step())];
     const StepReport& report = running.next();

@@ -17,6 +17,7 @@
 #include "experiments/store/rows.hpp"
 #include "experiments/store/session_rows.hpp"
 #include "experiments/store/study_integrity.hpp"
+#include "experiments/study/answer_check.hpp"
 #include "experiments/study/embedded_obstacles.hpp"
 #include "experiments/study/embedded_order_rules.hpp"
 #include "experiments/study/embedded_places.hpp"
@@ -24,6 +25,7 @@
 #include "experiments/study/embedded_recording_rules.hpp"
 #include "experiments/study/embedded_remarks.hpp"
 #include "experiments/study/protocol_check.hpp"
+#include "experiments/study/showing_check.hpp"
 #include "experiments/study/verification_report.hpp"
 #include "experiments/tables/number_text.hpp"
 
@@ -222,7 +224,7 @@ class StudyChecks {
     add("order", count_of(count_rows(database_, "attempt"), "attempt") + ", in the planned order",
         broken_order(database_));
     Failures recordings = broken_recordings(database_);
-    append(recordings, wrong_lengths(study_, shelf));
+    append(recordings, wrong_showings(study_, shelf));
     add("recordings",
         count_of(count_rows(database_, "step"), "step") + " and " +
             count_of(count_rows(database_, "frame"), "frame") + ", none missing",

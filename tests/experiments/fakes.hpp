@@ -34,7 +34,7 @@ class ScriptedInput final : public Input {
     titles.push_back(page.title);
     Answer answer = on_page ? on_page(page) : Answer{};
     answer.fields.resize(page.fields.size());
-    answer.device = "simulated";
+    answer.device = "key";
     answer.shown_ns = clock_->now_ns();
     clock_->advance_by(500'000'000);
     answer.arrived_ns = clock_->now_ns();

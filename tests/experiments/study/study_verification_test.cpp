@@ -144,18 +144,22 @@ TEST(Verify, WhateverWasChangedIsNamed) {
        "frame before it"},
       {"UPDATE step SET shown_frame = 999 WHERE attempt_id = 7 AND step = 20",
        "recordings: P02, causality, slot 2, attempt 1: step 20 is said to be first shown by frame "
-       "999, which is missing"},
+       "999, by its time it is by frame "},
+      {"UPDATE step SET shown_frame = NULL WHERE attempt_id = 7 AND step = 20",
+       "recordings: P02, causality, slot 2, attempt 1: step 20 is said to be first shown by no "
+       "frame, by its time it is by frame "},
+      {"UPDATE collision SET first_frame = first_frame + 1 WHERE attempt_id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: the collision of left and right is said to "
+       "be first shown by frame "},
+      {"UPDATE rating SET device = 'simulated' WHERE attempt_id = 7",
+       "provenance: P02, causality, slot 2, attempt 1: answered by simulated, in a session of a "
+       "person"},
       {"UPDATE collision SET imposed_hold_ms = 300 WHERE attempt_id = 7",
        "recordings: P02, causality, slot 2, attempt 1: held for 0.0 ms, a collision for 300.0"},
       {"UPDATE attempt SET interrupted_by = 'pause' WHERE id = 7",
        "recordings: P02, causality, slot 2, attempt 1: is completed, and was interrupted by pause"},
       {"UPDATE rating SET question_shown_ns = 5 WHERE attempt_id = 7",
        "recordings: P02, causality, slot 2, attempt 1: asked before it was shown"},
-      {"INSERT INTO response (attempt_id, number, kind, question, answer, positive, detail, "
-       "device, "
-       "question_shown_ns, arrived_ns, arrival_uncertainty_ns) VALUES (7, 1, 'yes_no', 'Seen?', "
-       "'maybe', 0, '{}', 'key', 9000000000000000000, 9000000000000000001, 0)",
-       "recordings: P02, causality, slot 2, attempt 1: the answer maybe is none that can be given"},
       {"UPDATE frame SET flipped_ns = (SELECT flipped_ns FROM frame WHERE attempt_id = 7 AND frame "
        "= "
        "149) WHERE attempt_id = 7 AND frame = 150",
@@ -169,11 +173,6 @@ TEST(Verify, WhateverWasChangedIsNamed) {
        "within the stimulus that is missing"},
       {"UPDATE rating SET arrived_ns = question_shown_ns - 1 WHERE attempt_id = 7",
        "recordings: P02, causality, slot 2, attempt 1: answered before it was asked"},
-      {"INSERT INTO response (attempt_id, number, kind, question, answer, positive, detail, "
-       "device, "
-       "question_shown_ns, arrived_ns, arrival_uncertainty_ns) VALUES (7, 1, 'yes_no', 'Seen?', "
-       "'yes', 0, '{}', 'key', 0, 1, 0)",
-       "recordings: P02, causality, slot 2, attempt 1: the answer yes is kept as negative"},
       {"UPDATE protocol SET protocol_json = replace(protocol_json, '\"small\"', '\"Small\"')",
        "protocols: protocol causality: its hash is " + hash + ", computed anew it is " +
            small_protocol("Small").hash},
@@ -264,6 +263,14 @@ TEST(Verify, AnEmptiedValueIsFoundByItsReplay) {
       << last_line(result);
 }
 
+TEST(Verify, AnotherFreezeIsFoundByItsReplay) {
+  const VerifiedStudy study;
+  static_cast<void>(study.tampered("UPDATE attempt SET intended_hold_ms = 7 WHERE id = 7"));
+  EXPECT_NE(last_line(run_program(study.folder(), {"verify", "a.sqlite", "--replay"}))
+                .find("its intended hold is 7 ms, staged again "),
+            std::string::npos);
+}
+
 TEST(Verify, AFactorMaySetHowOftenTheEngineSteps) {
   json changed = small_protocol().document.value;
   json& design = changed["design"];
@@ -325,7 +332,7 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
   const VerifiedStudy study;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"UPDATE participant SET simulated = 1 WHERE id = 2; UPDATE session SET simulated = 1 "
-       "WHERE id = 2",
+       "WHERE id = 2; UPDATE rating SET device = 'simulated' WHERE attempt_id > 5",
        "1 of 2 participants is simulated"},
       {"UPDATE session SET ending = NULL, ended_utc = NULL WHERE id = 2",
        "1 of 2 sessions has no ending: killed, or running now"},
