@@ -169,24 +169,26 @@ WholeFolder::~WholeFolder() {
 void WholeFolder::put_in_place() {
   require_free_folder(target_, check_);  // the work may have taken hours
   std::error_code error;
-  const fs::path old = path().string() + ".old";
-  const bool replaces = fs::exists(target_) && !fs::is_empty(target_);
-  if (replaces) {
-    fs::rename(target_, old, error);
+  std::optional<PartialName> old;  // what a killed program leaves there goes as every other
+  if (fs::exists(target_) && !fs::is_empty(target_)) {
+    old.emplace(target_, PartialName::Kind::kFolder);
+    fs::rename(target_, old->path(), error);
   }
   if (!error) {
     fs::rename(path(), target_, error);
   }
   if (error) {
     std::error_code ignored;
-    if (replaces && !fs::exists(target_)) {
-      fs::rename(old, target_, ignored);
+    if (old && !fs::exists(target_)) {
+      fs::rename(old->path(), target_, ignored);
+    } else if (old) {
+      fs::remove(old->path(), ignored);  // empty
     }
     throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
   }
   partial_.reset();
-  if (replaces) {
-    fs::remove_all(old, error);
+  if (old) {
+    fs::remove_all(old->path(), error);
   }
 }
 
