@@ -45,7 +45,7 @@ Kind<YokeRule> yoke_kind() {
       "For levels of a factor that set the region's kind to recorded: another participant of the "
       "study, whose gaze in the same condition, tracked, and repetition the region follows. "
       "previous: the last one before this who has finished. least-followed: of those who have "
-      "finished, the first whom the fewest others follow.",
+      "finished, the first whom the fewest others follow. Neither is one who is excluded.",
       {required("participant", &Y::participant, text(), "A code, previous or least-followed."),
        row("protocol", &Y::protocol, text(),
            "The name of the one in which they were recorded; this one when left out.")});

@@ -63,7 +63,7 @@ struct CalibrationTask {
 /// Whose recorded gaze the regions of kind recorded follow.
 struct YokeRule {
   static constexpr const char* kPrevious = "previous";  ///< the last one who has finished
-  /// Of those who have finished, the first whom the fewest others follow.
+  /// Of those who have finished, the first whom the fewest others follow. Neither is excluded.
   static constexpr const char* kLeastFollowed = "least-followed";
 
   std::string participant;  ///< a code or one of these words; never the participant as such

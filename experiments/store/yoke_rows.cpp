@@ -17,7 +17,8 @@ constexpr const char* kFinished =
 
 constexpr const char* kOthers =
     "<> ? AND participant.simulated = ? AND (?4 = '' OR EXISTS (SELECT 1 FROM trial "
-    "WHERE enrolment_id = enrolment.id AND condition = ?4)) ORDER BY ";
+    "WHERE enrolment_id = enrolment.id AND condition = ?4)) AND pseudonym NOT IN "
+    "(SELECT participant FROM excluded WHERE trial IS NULL) ORDER BY ";
 
 template <typename... Values>
 std::optional<YokePartner> first_partner(StudyFile& study, const std::string& sql,

@@ -38,8 +38,8 @@ bool has_participant(StudyFile& study, const std::string& pseudonym);
 std::optional<YokePartner> finished_partner(StudyFile& study, const std::string& pseudonym,
                                             const std::string& protocol);
 
-/// Of those of one kind (simulated or not) who have finished, with trials under the condition
-/// `followed` (JSON; "": any), but for `but`: the last one.
+/// Of those of one kind (simulated or not) who have finished and whom the analysis does not leave
+/// out, with trials under the condition `followed` (JSON; "": any), but for `but`: the last one.
 std::optional<YokePartner> last_partner(StudyFile& study, const std::string& protocol,
                                         const std::string& but, bool simulated,
                                         const std::string& followed);

@@ -123,6 +123,25 @@ void check_training_reach(const Protocol& protocol) {
   }
 }
 
+/// Options are of a field that is chosen from, a least and a most of one for a number.
+void check_fields(const Protocol& protocol) {
+  const std::vector<Field>& fields = protocol.script.demographics;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const JsonDocument& document = protocol.document;
+    const std::string place = item("/session/demographics", i);
+    for (const auto& [key, kind] :
+         {std::pair("options", Field::Kind::kChoice), std::pair("minimum", Field::Kind::kNumber),
+          std::pair("maximum", Field::Kind::kNumber)}) {
+      if (fields[i].kind != kind &&
+          document.value.at(nlohmann::json::json_pointer(place)).contains(key)) {
+        refuse(document, place + "/" + key,
+               std::string("expected none, for the field is no ") +
+                   (kind == Field::Kind::kChoice ? "choice" : "number"));
+      }
+    }
+  }
+}
+
 /// What of one scene cannot be meant; "": nothing.
 std::string nonsense_of(const Scene& scene) {
   if (scene.meeting && scene.intended_hold_s() > 0.0 &&
@@ -177,6 +196,7 @@ void check_sense(const Protocol& protocol) {
   check_standard_changes(protocol);
   check_guess_rates(protocol);
   check_training_reach(protocol);
+  check_fields(protocol);
   check_scenes_sense(protocol);
 }
 

@@ -57,6 +57,15 @@ TEST(Sense, AQuestionHasNoKeysBesideAFactorOfThem) {
             "got \"a b\"");
 }
 
+TEST(Sense, OptionsAndBoundsAreOfFieldsThatHaveThem) {
+  Study study;
+  EXPECT_EQ(nonsense(study.with("/session/demographics/0/options", {"young", "old"})),
+            "/session/demographics/0/options: expected none, for the field is no choice");
+  EXPECT_EQ(nonsense(study.without("/session/demographics/0/options")
+                         .with("/session/demographics/1/minimum", 1)),
+            "/session/demographics/1/minimum: expected none, for the field is no number");
+}
+
 TEST(Sense, EachScaleIsAskedInSomeTrial) {
   const auto asked = [](const json& first_when, const json& second_when) {
     json scales =

@@ -1,5 +1,6 @@
 // Who does which protocol: the plan, its resumption, and who is refused.
 // SPDX-License-Identifier: MIT
+#include "experiments/store/exclusion.hpp"
 #include "experiments/store/rows.hpp"
 #include "experiments/store/yoke_rows.hpp"
 #include "tests/experiments/test_study.hpp"
@@ -137,6 +138,9 @@ TEST(Enrolment, PeopleFollowPeopleAndSimulatedParticipantsTheSimulated) {
     EXPECT_EQ(partner(at.study, "causality", "P01", false, shown).value().pseudonym, "P02");
     EXPECT_EQ(partner(at.study, "causality", "P01", true, shown).value().pseudonym, "S01");
     EXPECT_FALSE(partner(at.study, "causality", "P01", true, "{}")) << "nobody was shown that";
+    exclude(at.study, {"P02", std::nullopt, true, "asleep"});
+    EXPECT_FALSE(partner(at.study, "causality", "P01", false, shown)) << "P02 is left out";
+    exclude(at.study, {"P02", std::nullopt, false, "awake"});
   }
   EXPECT_TRUE(has_finished(at.study, "P02", false, texts));
   EXPECT_TRUE(has_finished(at.study, "S01", true, texts));
