@@ -19,7 +19,15 @@ nlohmann::json as_json(const py::object& value, const std::string& name) {
     return InputError(name + ": expected what a JSON file can hold, got something else (" + why +
                       ")");
   };
-  const py::dict strict(py::arg("allow_nan") = false);
+  const py::cpp_function of_a_number([](const py::object& other) {  // numpy's, as of a data frame
+    if (!py::hasattr(other, "item")) {
+      throw py::type_error("Object of type " +
+                           other.get_type().attr("__name__").cast<std::string>() +
+                           " is not JSON serializable");
+    }
+    return other.attr("item")();
+  });
+  const py::dict strict(py::arg("allow_nan") = false, py::arg("default") = of_a_number);
   try {
     const py::object text = py::module_::import("json").attr("dumps")(value, **strict);
     return nlohmann::json::parse(text.cast<std::string>());

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 import impetus
+import numpy
 
 
 def refusal_of_program(path: pathlib.Path) -> str:
@@ -94,6 +95,11 @@ class Protocols(unittest.TestCase):
         self.assertEqual(impetus.load_protocol(file).hash, self.causality.hash)
         with self.assertRaisesRegex(FileExistsError, "nothing is overwritten"):
             impetus.save(self.causality, file)
+
+    def test_numbers_of_a_data_frame_are_numbers(self):
+        own = self.causality.conditions()[0]
+        levels = {name: numpy.int64(level) for name, level in own.items()}
+        self.assertEqual(self.causality.world(levels).number, 0)
 
     def test_conditions_that_there_are_not_are_refused(self):
         with self.assertRaisesRegex(impetus.InputError, "expected one of its conditions"):

@@ -61,6 +61,7 @@ class Studies(unittest.TestCase):
     def test_missing_values_are_missing_and_integers_stay_integers(self):
         trials = self.study.trials
         self.assertEqual(str(trials["slot"].dtype), "Int64")
+        self.assertTrue(pandas.api.types.is_numeric_dtype(trials["factor_speed_percent"]))
         self.assertTrue(trials[trials.phase == "main"].rating.notna().all())
 
     def test_tables_that_there_are_not_are_refused_with_those_there_are(self):

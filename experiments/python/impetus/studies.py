@@ -16,8 +16,8 @@ _KINDS = {"integer": "Int64", "number": "float64"}
 
 def _column(column: dict[str, Any]) -> pandas.Series:
     kind = _KINDS.get(column["type"])
-    if kind is None:  # texts, and what differs from row to row
-        return pandas.Series(column["values"], dtype=object)
+    if kind is None:  # texts, and levels of factors: numbers, where all are
+        return pandas.Series(column["values"], dtype=object).infer_objects()
     return pandas.Series(column["values"], dtype=kind)
 
 
@@ -83,7 +83,7 @@ class Study:
 
 
 def _text(value: Any) -> str:
-    return value if isinstance(value, str) else json.dumps(value)
+    return value if isinstance(value, str) else json.dumps(value, default=lambda number: number.item())
 
 
 def read(path: str | os.PathLike[str]) -> Study:
