@@ -1,5 +1,6 @@
 // Refuses a type whose name two headers give: where one program links both, each may be taken for
-// the other (the one-definition rule), and no compiler needs to say so.
+// the other (the one-definition rule), and no compiler needs to say so; and one that does not say
+// what it is for.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 
 namespace impetus::one_definition_test {
 
-using Headers = std::map<std::string, std::string>;  ///< path and text
+using Texts = std::map<std::string, std::string>;  ///< by path
 
 /// The types that a header defines outside of others: those that begin a line.
 std::set<std::string> types_of(const std::string& text) {
@@ -34,7 +35,7 @@ std::set<std::string> types_of(const std::string& text) {
 }
 
 /// A sentence for each name that more than one header gives to a type.
-std::vector<std::string> shared_names(const Headers& headers) {
+std::vector<std::string> shared_names(const Texts& headers) {
   std::map<std::string, std::string> homes;
   std::vector<std::string> found;
   for (const auto& [path, text] : headers) {
@@ -48,23 +49,26 @@ std::vector<std::string> shared_names(const Headers& headers) {
   return found;
 }
 
-Headers all_headers() {
-  Headers headers;
+/// The files of the product and of its tests that end so.
+Texts all_files(const std::string& extension) {
+  Texts files;
   const std::filesystem::path root(source_folder());
   for (const char* folder : {"engine", "experiments", "tests"}) {
     for (const auto& each : std::filesystem::recursive_directory_iterator(root / folder)) {
-      if (each.path().extension() == ".hpp") {
+      if (each.path().extension() == extension) {
         std::stringstream text;
         text << std::ifstream(each.path()).rdbuf();
-        headers[std::filesystem::relative(each.path(), root).string()] = text.str();
+        files[std::filesystem::relative(each.path(), root).string()] = text.str();
       }
     }
   }
-  return headers;
+  return files;
 }
 
+Texts all_headers() { return all_files(".hpp"); }
+
 TEST(OneDefinition, NoTypesNameStandsInTwoHeaders) {
-  const Headers headers = all_headers();
+  const Texts headers = all_headers();
   ASSERT_GT(headers.size(), 300U);
   for (const std::string& sentence : shared_names(headers)) {
     ADD_FAILURE() << sentence;
@@ -72,7 +76,7 @@ TEST(OneDefinition, NoTypesNameStandsInTwoHeaders) {
 }
 
 TEST(OneDefinition, ANameOfTwoTypesIsNamedWithBothHeaders) {
-  const Headers headers{
+  const Texts headers{
       {"a.hpp", "class Course {\n};\nstruct Inner;\n"},
       {"b.hpp", "struct Course final : Base {\n  struct Own {\n  };\n};\nstruct Inner {};\n"},
       {"c.hpp", "enum class Inner : int { kOne };\nstruct Course;\n  struct Own {\n"},
@@ -108,6 +112,42 @@ TEST(OneDefinition, EveryHeaderIsInTheNamespaceOfItsRoom) {
   EXPECT_EQ(foreign_namespaces("experiments/trade/impacts/approach.hpp", "namespace impetus {\n"),
             std::vector<std::string>{"experiments/trade/impacts/approach.hpp: expected namespace "
                                      "impetus::inline trade, got impetus"});
+}
+
+/// The types, wherever in a file, that no comment comes before; but specialisations, whose template
+/// has one.
+std::vector<std::string> unexplained_types(const std::string& text) {
+  static const std::regex definition(
+      R"( *(struct|class|enum|enum class) (\w+)( final)?( : [^;]*)? \{.*)");
+  static const std::regex comment(" *//.*");
+  static const std::regex head(R"( *(template|requires)\b.*)");
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  std::smatch match;
+  std::string before;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_explained =
+        std::regex_match(before, comment) || line.find("///<") != std::string::npos;
+    if (std::regex_match(line, match, definition) && !is_explained) {
+      found.push_back(match[2]);
+    }
+    before = std::regex_match(line, head) ? before : line;
+  }
+  return found;
+}
+
+TEST(OneDefinition, EveryTypeSaysWhatItIsFor) {
+  for (const char* extension : {".hpp", ".cpp"}) {
+    for (const auto& [path, text] : all_files(extension)) {
+      if (!path.starts_with("tests/")) {
+        EXPECT_EQ(unexplained_types(text), std::vector<std::string>()) << path;
+      }
+    }
+  }
+  EXPECT_EQ(unexplained_types("/// Said.\ntemplate <typename T>\nclass A final : public B<T> {\n"
+                              "  struct C {};  ///< said\n  enum class D { kOne };\n};\n\n"
+                              "template <>\nstruct E<int> {};\nstruct F;\nstruct G : H {\n"),
+            (std::vector<std::string>{"D", "G"}));
 }
 
 }  // namespace impetus::one_definition_test

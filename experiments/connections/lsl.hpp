@@ -22,6 +22,7 @@ class LslInlet {
 
   [[nodiscard]] std::size_t channels() const { return channels_; }
 
+  /// A value for each channel, and when they were taken.
   struct Sample {
     double remote_s{0.0};  ///< by the sender's clock
     std::vector<double> values;

@@ -15,6 +15,7 @@ namespace impetus::inline exports {
 /// A new file or folder beside a target, locked.
 class PartialName {
  public:
+  /// What is written.
   enum class Kind { kFile, kFolder };
 
   /// Removes what killed programs left of the target, and makes another. Check is_made().

@@ -22,6 +22,7 @@ namespace impetus::inline fitting {
 /// A parameter that may be moved, and the scale on which that is done: numbers as they are in steps
 /// of `unit`, what is positive by its logarithm, a probability by its logit.
 struct MovableParameter {
+  /// In what it is moved.
   enum class Scale { kLinear, kLog, kShare };
 
   std::string name;
@@ -89,6 +90,7 @@ class AnswerLikelihood {
     double count{1.0};
     std::vector<RatedOutcome> outcomes;  ///< where no trait changes them, and there is a rating
   };
+  /// What one person answered.
   struct Person {
     std::vector<Cell> cells;
     std::vector<GivenRating> ratings;  ///< each once

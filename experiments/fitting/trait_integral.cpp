@@ -174,6 +174,7 @@ class NodesOfLine {
   static constexpr double kNothing = -std::numeric_limits<double>::infinity();
   static constexpr double kSettledLocally = 1e-4;
   static constexpr double kLeastApart = 1e-4;
+  /// The integrand at a place.
   struct Node {
     double x;
     double height;  ///< not its logarithm

@@ -82,6 +82,7 @@ class Language {
   [[nodiscard]] std::string percent(double share) const;
 
  private:
+  /// The texts by their keys' places; copies of a language share them.
   struct Said {
     std::string title;
     std::vector<std::string> texts;

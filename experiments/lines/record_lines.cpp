@@ -39,6 +39,7 @@ concept Listed = requires(T& value) {
   fields(value, [](const char*, auto&) {});
 };
 
+/// Whether a value may be missing.
 template <typename T>
 struct IsOptional : std::false_type {};
 template <typename T>

@@ -112,6 +112,7 @@ std::string line_of(MarkedEvent event, std::int64_t code) { return words_of(even
 
 // ---------------------------------------------------------------- a serial port
 
+/// A speed of the line, as an address and as the system names it.
 struct Speed {
   std::string_view words;
   speed_t speed;

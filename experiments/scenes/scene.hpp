@@ -45,6 +45,7 @@ struct PlaneSettings {
 
 /// A line that a body may cross, which ends the stimulus before its time, as what else is named.
 struct GoalSettings {
+  /// Where the goal is, seen from the line.
   enum class Side { kLeft, kRight, kBelow, kAbove };
   std::string body;
   Side side{Side::kLeft};
@@ -137,6 +138,7 @@ struct NamedFigure {
   std::optional<Vector3> path_deg_s;
 };
 
+/// What keeps the bodies of a scene together.
 enum class EnclosureKind {
   kClosedCube,   ///< about the origin
   kViewFrustum,  ///< what the viewer sees through the screen

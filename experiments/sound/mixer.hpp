@@ -92,6 +92,7 @@ class Mixer {
  private:
   static constexpr std::size_t kMost = 64;
 
+  /// A sound that is waited for, or heard.
   struct Voice {
     std::span<const float> samples;
     std::int64_t at_ns{0};
@@ -99,6 +100,7 @@ class Mixer {
     std::int64_t number{0};
     std::int64_t start{-1};  ///< its first sample's number in the stream; −1: not known yet
   };
+  /// When a sound's first sample leaves the device.
   struct Begun {
     std::int64_t number{0};
     std::int64_t leaves_ns{0};

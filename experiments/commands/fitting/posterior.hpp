@@ -24,6 +24,7 @@ struct PosteriorParameter {
   double enough{0.0};  ///< independent draws that all draws are worth
 };
 
+/// What is believed of all parameters after the answers, and the draws that tell it.
 struct Posterior {
   std::vector<PosteriorParameter> parameters;
   std::vector<std::vector<double>> draws;  ///< chain, then the value of each parameter

@@ -16,6 +16,7 @@ constexpr float kLineHeight = 1.35F;  // of the font's size
 constexpr std::u16string_view kClosing = u"，。、；：？！）》〉」』】”’…—·)]}.,;:?!%°";
 constexpr std::u16string_view kOpening = u"（《〈「『【“‘([{";
 
+/// A letter of a text in UTF-8, and how many bytes it takes.
 struct Letter {
   unsigned code{0};
   int bytes{0};
