@@ -15,6 +15,7 @@
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/store/rows.hpp"
+#include "experiments/study/embedded_places.hpp"
 
 namespace impetus::inline study {
 namespace {
@@ -57,17 +58,15 @@ void load_responses(SQLite::Database& database, std::int64_t id, AnsweredAttempt
 std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
   SQLite::Statement query(
       database,
-      "SELECT attempt.id, protocol_id, pseudonym || ', ' || name || ', slot ' || slot || "
-      "', attempt ' || number, phase, condition, trial.seed, "
-      "(SELECT count(*) FROM click WHERE click.attempt_id = attempt.id), "
-      "EXISTS (SELECT 1 FROM gaze WHERE gaze.attempt_id = attempt.id), "
-      "rating IS NOT NULL, minimum, maximum, best, low_anchor, high_anchor "
-      "FROM attempt JOIN trial ON trial.id = trial_id "
-      "JOIN enrolment ON enrolment.id = enrolment_id "
-      "JOIN participant ON participant.id = participant_id "
-      "JOIN protocol ON protocol.id = protocol_id "
-      "LEFT JOIN rating ON rating.attempt_id = attempt.id "
-      "WHERE outcome <> 'interrupted' ORDER BY attempt.id");
+      std::string(kPlacesSql) +
+          "SELECT shown.id, protocol_id, shown.place, shown.phase, condition, trial.seed, "
+          "(SELECT count(*) FROM click WHERE click.attempt_id = shown.id), "
+          "EXISTS (SELECT 1 FROM gaze WHERE gaze.attempt_id = shown.id), "
+          "rating IS NOT NULL, minimum, maximum, best, low_anchor, high_anchor "
+          "FROM shown JOIN trial ON trial.id = trial_id "
+          "JOIN enrolled ON enrolled.id = shown.enrolment_id "
+          "LEFT JOIN rating ON rating.attempt_id = shown.id "
+          "WHERE outcome <> 'interrupted' ORDER BY shown.id");
   std::vector<AnsweredAttempt> attempts;
   while (query.executeStep()) {
     AnsweredAttempt& attempt = attempts.emplace_back();
@@ -250,8 +249,8 @@ class AttemptCheck {
   Failures& failures_;
 };
 
-/// An enrolment, and the questions of its pages that were answered.
-struct AnsweredEnrolment {
+/// An enrolment of somebody who was shown a trial.
+struct BegunEnrolment {
   std::int64_t id{0};
   std::int64_t protocol_id{0};
   std::string place;
@@ -278,14 +277,12 @@ std::vector<std::string> questions_of_pages(const Script& script, bool is_finish
 /// Pages were asked of whoever was shown a trial; what was left empty has a row, too.
 Failures missing_pages(SQLite::Database& database, const ProtocolShelf& shelf) {
   Failures failures;
-  for (const AnsweredEnrolment& enrolment :
-       load_as<AnsweredEnrolment, std::int64_t, std::int64_t, std::string, bool>(
+  for (const BegunEnrolment& enrolment :
+       load_as<BegunEnrolment, std::int64_t, std::int64_t, std::string, bool>(
            database,
-           "SELECT enrolment.id, protocol_id, pseudonym || ', ' || name, finished_utc IS NOT NULL "
-           "FROM enrolment JOIN participant ON participant.id = participant_id "
-           "JOIN protocol ON protocol.id = protocol_id WHERE EXISTS (SELECT 1 FROM attempt "
-           "JOIN trial ON trial.id = trial_id WHERE enrolment_id = enrolment.id) "
-           "ORDER BY enrolment.id")) {
+           std::string(kPlacesSql) +
+               "SELECT id, protocol_id, place, finished_utc IS NOT NULL FROM enrolled "
+               "WHERE EXISTS (SELECT 1 FROM shown WHERE enrolment_id = enrolled.id) ORDER BY id")) {
     const Protocol* protocol = shelf.find(enrolment.protocol_id);
     if (protocol == nullptr) {
       continue;

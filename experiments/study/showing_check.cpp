@@ -11,11 +11,16 @@
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/store/rows.hpp"
+#include "experiments/study/embedded_places.hpp"
 
 namespace impetus::inline study {
 namespace {
 
-constexpr std::int64_t kNoFrame = -1;  // no frame showed it
+constexpr std::int64_t kNoFrame = -1;  // none showed it
+
+constexpr const char* kShownCollisions =
+    "SELECT 'the collision of ' || body_a || ' and ' || body_b, step, coalesce(first_frame, -1) "
+    "FROM collision WHERE attempt_id = ? AND interval = ? ORDER BY id";
 
 /// One stimulus of a completed attempt, as far as it was shown and simulated.
 struct ShownInterval {
@@ -75,11 +80,10 @@ class IntervalCheck {
         "SELECT 'step ' || step, step, coalesce(shown_frame, -1) FROM step "
         "WHERE attempt_id = ? AND interval = ? ORDER BY step");
     std::string problem = length_problem(steps.empty() ? kNoFrame : steps.back().step);
-    for (std::size_t i = 0; i < steps.size() && problem.empty(); ++i) {
-      const std::size_t first = first_showing(steps[i].step);
-      problem = frame_problem(steps[i], first < frames_.size() ? frames_[first].frame : kNoFrame);
+    if (problem.empty()) {
+      problem = frame_problem(steps, frames_.front().frame);
     }
-    return problem.empty() ? collision_problem() : problem;
+    return problem.empty() ? frame_problem(load_first_shown(kShownCollisions), 0) : problem;
   }
 
  private:
@@ -98,6 +102,25 @@ class IntervalCheck {
                      ", the last one there is " + std::to_string(last_step);
   }
 
+  /// Of what is said to be first shown by another frame than by its time; the stimulus's frames are
+  /// counted from `first` on.
+  [[nodiscard]] std::string frame_problem(const std::vector<FirstShown>& rows,
+                                          std::int64_t first) const {
+    const auto words = [](std::int64_t frame) {
+      return frame == kNoFrame ? std::string("no frame") : "frame " + std::to_string(frame);
+    };
+    for (const FirstShown& row : rows) {
+      const std::size_t place = first_showing(row.step);
+      const std::int64_t frame =
+          place < frames_.size() ? first + static_cast<std::int64_t>(place) : kNoFrame;
+      if (row.frame != frame) {
+        return row.what + " is said to be first shown by " + words(row.frame) +
+               ", by its time it is by " + words(frame);
+      }
+    }
+    return "";
+  }
+
   /// The first frame of the stimulus that shows the step whole; as many as there are: none does.
   [[nodiscard]] std::size_t first_showing(std::int64_t step) const {
     const double begins_s = static_cast<double>(step) / step_hz_;
@@ -106,33 +129,6 @@ class IntervalCheck {
         frames_.begin(), frames_.end(),
         [&](const ShownFrame& frame) { return frame.time_s < begins_s - hair_s; });
     return static_cast<std::size_t>(first - frames_.begin());
-  }
-
-  /// Of collisions the frame is counted from the stimulus's first.
-  [[nodiscard]] std::string collision_problem() const {
-    std::string problem;
-    for (const FirstShown& collision : load_first_shown(
-             "SELECT 'the collision of ' || body_a || ' and ' || body_b, step, "
-             "coalesce(first_frame, -1) FROM collision WHERE attempt_id = ? AND interval = ? "
-             "ORDER BY id")) {
-      const std::size_t first = first_showing(collision.step);
-      problem = frame_problem(collision,
-                              first < frames_.size() ? static_cast<std::int64_t>(first) : kNoFrame);
-      if (!problem.empty()) {
-        break;
-      }
-    }
-    return problem;
-  }
-
-  static std::string frame_problem(const FirstShown& stored, std::int64_t first) {
-    const auto words = [](std::int64_t frame) {
-      return frame == kNoFrame ? std::string("no frame") : "frame " + std::to_string(frame);
-    };
-    return stored.frame == first
-               ? ""
-               : stored.what + " is said to be first shown by " + words(stored.frame) +
-                     ", by its time it is by " + words(first);
   }
 
   SQLite::Database& database_;
@@ -149,15 +145,13 @@ Failures wrong_showings(StudyFile& study, const ProtocolShelf& shelf) {
   for (const ShownInterval& shown : load_as<ShownInterval, std::int64_t, std::int64_t, std::string,
                                             std::int64_t, std::string, std::uint64_t, double>(
            database,
-           "SELECT DISTINCT attempt.id, protocol_id, pseudonym || ', ' || name || ', slot ' || "
-           "slot || ', attempt ' || number, frame.interval, condition, trial.seed, refresh_hz "
-           "FROM frame JOIN attempt ON attempt.id = attempt_id "
-           "JOIN session ON session.id = session_id JOIN trial ON trial.id = trial_id "
-           "JOIN enrolment ON enrolment.id = trial.enrolment_id "
-           "JOIN participant ON participant.id = participant_id "
-           "JOIN protocol ON protocol.id = protocol_id "
-           "WHERE outcome <> 'interrupted' AND frame.phase = 'stimulus' "
-           "ORDER BY attempt.id, frame.interval")) {
+           std::string(kPlacesSql) +
+               "SELECT DISTINCT shown.id, protocol_id, shown.place, frame.interval, condition, "
+               "trial.seed, refresh_hz FROM frame JOIN shown ON shown.id = attempt_id "
+               "JOIN session ON session.id = session_id JOIN trial ON trial.id = trial_id "
+               "JOIN enrolled ON enrolled.id = shown.enrolment_id "
+               "WHERE outcome <> 'interrupted' AND frame.phase = 'stimulus' "
+               "ORDER BY shown.id, frame.interval")) {
     const Protocol* protocol = shelf.find(shown.protocol_id);
     if (protocol == nullptr) {
       continue;
