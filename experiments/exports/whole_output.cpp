@@ -65,7 +65,7 @@ void require_free_folder(const fs::path& target, const FolderCheck& check) {
     return;
   }
   if (!fs::is_directory(target)) {
-    throw InputError("--out: expected a folder, but " + target.string() + " is a file");
+    throw InputError(target.string() + ": expected a folder, got a file");
   }
   if (!fs::is_empty(target)) {
     check(target);
@@ -153,7 +153,7 @@ WholeFolder::WholeFolder(const fs::path& target, FolderCheck check)
     partial_.emplace(target_, PartialName::Kind::kFolder);
   }
   if (!partial_ || !partial_->is_made()) {
-    throw InputError("--out: expected a folder to write to, could not make " + target_.string());
+    throw InputError(target_.string() + ": expected a folder that can be made, but it cannot be");
   }
   std::error_code ignored;
   fs::permissions(path(), fs::perms(0755), ignored);

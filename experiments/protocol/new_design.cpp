@@ -104,8 +104,9 @@ void require_scale(const OrderedJson& factor, const OrderedJson& natural) {
   }
   if (levels.front() != natural) {
     throw InputError("--levels: to choose from, expected levels of " +
-                     factor["name"].get<std::string>() + " that rise from the most natural, of these " +
-                     natural.dump() + ", next to the scene's own, got " + levels.dump());
+                     factor["name"].get<std::string>() +
+                     " that rise from the most natural, of these " + natural.dump() +
+                     ", next to the scene's own, got " + levels.dump());
   }
 }
 

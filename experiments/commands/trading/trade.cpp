@@ -380,7 +380,8 @@ void add_trade(CLI::App& app, Command& chosen) {
                       "Of the trees; the scene's, at least 3, when left out");
   command->add_option("--budgets-ms", options->budgets_ms, "Milliseconds a step; 1,4,16,50")
       ->delimiter(',');
-  command->add_option("--impacts", options->impacts, "To measure at")->capture_default_str();
+  command->add_option("--impacts", options->impacts, "To measure at, 10 to 100000")
+      ->capture_default_str();
   add_options(*command, options->scheduled);
   command->add_option("--seed", options->seed, "Another number, other impacts")
       ->capture_default_str()

@@ -90,7 +90,8 @@ TEST(New, LevelsThatRiseToWhatLooksNaturalAreNotChosenFrom) {
       refusal([] {
         make_study({"mine", "two-blocks", {"level=0,1,2,3,4"}, "detection", "", "en", "staircase"});
       }),
-      "--levels: to choose from, expected levels of level that rise from the most natural, of these "
+      "--levels: to choose from, expected levels of level that rise from the most natural, of "
+      "these "
       "4, next to the scene's own, got [0,1,2,3,4]");
 }
 

@@ -306,7 +306,7 @@ TEST(CsvExport, AFolderWithFilesIsRefusedAndLeftAsItIs) {
                      "which --force leaves alone");
   folder.write("file", "mine");
   expect_refused(folder, {"export", study, "--out", "file"},
-                 "--out: expected a folder, but " + (folder / "file").string() + " is a file");
+                 (folder / "file").string() + ": expected a folder, got a file");
   EXPECT_EQ(text_of(folder / "out/mine.txt"), "mine");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "out"), {}), 1);
 }
